@@ -1,0 +1,80 @@
+// A job: what one worker is asked to do with one scene, camera and size on one device, and what comes back.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/size.h"
+#include "device/device.h"
+#include "image/image.h"
+#include "image/ray_record.h"
+#include "scene/scene.h"
+#include "spaces/camera.h"
+#include "spaces/trace_parameters.h"
+
+namespace ssrkit {
+
+// One trace over the job's G-buffer. A job may hold many: they share the scene, the G-buffer and the light.
+struct TraceRequest {
+  std::string stage;  // a row of frame/stages.h: "naive", "refined", "dda", "hiz", "walk"
+  TraceParameters parameters;
+  bool want_color = true;  // resolve and composite too
+};
+
+// Times traces against each other: `rounds` interleaved runs of all of the job's traces after one warm-up.
+struct TimingRequest {
+  int rounds = 0;  // 0: each pass is drawn once and its time is cold
+};
+
+// A file of the user's own in the place of a pass's shader.
+struct ShaderReplacement {
+  std::string pass;
+  std::filesystem::path file;
+};
+
+struct Job {
+  std::string id;  // for messages: "clutter 640x360"
+  // Either a scene file with a camera name ("" the first) ...
+  std::filesystem::path scene_file;
+  std::string camera_name;
+  std::string mirror_material;  // "" the scene's own mirrors
+  // ... or a G-buffer made by others, by image name ("dist_view", "normal_view", ...).
+  std::map<std::string, Image> gbuffer;
+  std::optional<Camera> gbuffer_camera;
+  Size size;
+  std::vector<TraceRequest> traces;
+  TimingRequest timing;
+  std::vector<ShaderReplacement> replacements;
+  std::filesystem::path shader_root;
+  bool optimise_spirv = false;
+  bool want_gbuffer = true;  // read back and return the frame's images
+};
+
+struct PassReport {
+  std::string pass;
+  PassTime cold;                 // first draw: JIT compile included
+  std::vector<PassTime> steady;  // one a round
+};
+
+struct TraceResult {
+  std::string stage;
+  TraceParameters parameters;  // as used, with defaults filled in
+  RayRecord record;
+  std::optional<Image> reflection;  // RGBA, a = 1 where the ray hit
+  std::optional<Image> composite;   // RGB, linear
+  std::vector<PassReport> passes;   // pyramid, trace, resolve, composite
+};
+
+struct JobResult {
+  Camera camera;
+  std::map<std::string, Image> images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
+  std::vector<TraceResult> traces;
+  std::vector<PassReport> frame_passes;  // G-buffer, light
+  std::vector<std::string> notes;        // the scene's
+  std::vector<std::string> messages;     // driver and validation; any one fails the job
+};
+
+}  // namespace ssrkit

@@ -1,0 +1,43 @@
+// Cameras and the spaces of docs/spaces.md, in double precision. shaders/include/ssr_spaces.glsl says the same
+// for GLSL; tests/unit/spaces keeps the two equal.
+//
+// view space: +x right, +y up, the camera looks along -z. NDC: +x right, +y up, z 0 at the near plane and 1 at
+// the far plane. Pixel position p_px: origin upper left, +y down, texel centres at .5.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/error.h"
+#include "base/size.h"
+
+namespace ssrkit {
+
+struct Camera {
+  Size size;
+  glm::dmat4 clip_from_view{1.0};   // perspective: clip.w = dist_view
+  glm::dmat4 view_from_world{1.0};  // rigid
+  double near_m = 0.1;
+  double far_m = 1000.0;
+};
+
+// The projection between view positions and pixel positions, for perspective matrices (also off-centre ones):
+//   p_px = px_scale * (p_view.xy / dist_view) + px_offset,   p_view.xy = dist_view * (p_px - px_offset) / px_scale
+struct PixelProjection {
+  glm::dvec2 px_scale;
+  glm::dvec2 px_offset;
+};
+
+[[nodiscard]] PixelProjection pixelProjection(const Camera& camera);
+
+// clip_from_view of a symmetric perspective camera, NDC z in 0..1, +y up.
+[[nodiscard]] glm::dmat4 perspective(double fov_y_rad, double aspect, double near_m, double far_m);
+
+// Refuses what no tracer can use: size outside 1..16384, non-finite numbers, an orthographic or singular
+// projection, near_m <= 0, far_m <= near_m. `attempted` starts the error's sentence.
+[[nodiscard]] Expected<void> validate(const Camera& camera, const std::string& attempted);
+
+// dist_view of a stored depth (0..1) and back.
+[[nodiscard]] double distViewFromDepthWindow(const Camera& camera, double depth_window);
+[[nodiscard]] double depthWindowFromDistView(const Camera& camera, double dist_view);
+
+}  // namespace ssrkit
