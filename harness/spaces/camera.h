@@ -1,8 +1,8 @@
-// Cameras and the spaces of docs/spaces.md, in double precision. shaders/include/ssr_spaces.glsl says the same
-// for GLSL; tests/unit/spaces keeps the two equal.
+// Cameras and the spaces of docs/spaces.md, in double precision. shaders/include/ssr_spaces.glsl says the
+// same for GLSL; tests/unit/spaces keeps the two equal.
 //
-// view space: +x right, +y up, the camera looks along -z. NDC: +x right, +y up, z 0 at the near plane and 1 at
-// the far plane. Pixel position p_px: origin upper left, +y down, texel centres at .5.
+// view space: +x right, +y up, the camera looks along -z. NDC: +x right, +y up, z 0 at the near plane and 1
+// at the far plane. Pixel position p_px: origin upper left, +y down, texel centres at .5.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,7 +21,8 @@ struct Camera {
 };
 
 // The projection between view positions and pixel positions, for perspective matrices (also off-centre ones):
-//   p_px = px_scale * (p_view.xy / dist_view) + px_offset,   p_view.xy = dist_view * (p_px - px_offset) / px_scale
+//   p_px = px_scale * (p_view.xy / dist_view) + px_offset,   p_view.xy = dist_view * (p_px - px_offset) /
+//   px_scale
 struct PixelProjection {
   glm::dvec2 px_scale;
   glm::dvec2 px_offset;

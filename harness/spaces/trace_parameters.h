@@ -1,4 +1,5 @@
-// The parameters of the tracing contract: the same names in --param, TOML and JSON, for the tracers and the oracle.
+// The parameters of the tracing contract: the same names in --param, TOML and JSON, for the tracers and the
+// oracle.
 #pragma once
 
 #include <limits>
@@ -14,25 +15,25 @@ enum class TracerForm { kTextbook, kTuned };
 
 struct TraceParameters {
   double thickness_m = std::numeric_limits<double>::infinity();  // depth of every texel's column
-  double thickness_rel = 0.0;      // added to it, as a fraction of dist_view; alone when thickness_m is 0
+  double thickness_rel = 0.0;  // added to it, as a fraction of dist_view; alone when thickness_m is 0
   double max_distance_m = std::numeric_limits<double>::infinity();
-  double origin_bias = 0.0;        // along the normal, as a fraction of dist_view
-  int lookup_budget = 60000;       // the default never binds
-  int step_count = 0;              // naive, refined: steps over the clipped ray; 0: the stage's own default
-  double step_m = 0.0;             // naive, refined: length of a step; 0: taken from step_count
-  int bisection_count = -1;        // refined, dda with stride > 1; -1: the stage's own default
-  int stride_px = 1;               // dda
-  double jitter = 0.0;             // 0..1 of a step or stride
-  int max_mip = -1;                // hiz: coarsest level it climbs to; -1: the stage's own default
+  double origin_bias = 0.0;   // along the normal, as a fraction of dist_view
+  int lookup_budget = 60000;  // the default never binds
+  int step_count = 0;         // naive, refined: steps over the clipped ray; 0: the stage's own default
+  double step_m = 0.0;        // naive, refined: length of a step; 0: taken from step_count
+  int bisection_count = -1;   // refined, dda with stride > 1; -1: the stage's own default
+  int stride_px = 1;          // dda
+  double jitter = 0.0;        // 0..1 of a step or stride
+  int max_mip = -1;           // hiz: coarsest level it climbs to; -1: the stage's own default
   TracerForm form = TracerForm::kTuned;  // hiz
 
   bool operator==(const TraceParameters&) const = default;
 };
 
-// Sets one parameter from text ("thickness_m", "0.3"). Fails on unknown names (with the nearest one), on values
-// that are no numbers, and on values outside the parameter's range. `where` names the file or option.
-[[nodiscard]] Expected<void> setParameter(TraceParameters& parameters, std::string_view name, std::string_view value,
-                                          const std::string& where);
+// Sets one parameter from text ("thickness_m", "0.3"). Fails on unknown names (with the nearest one), on
+// values that are no numbers, and on values outside the parameter's range. `where` names the file or option.
+[[nodiscard]] Expected<void> setParameter(TraceParameters& parameters, std::string_view name,
+                                          std::string_view value, const std::string& where);
 
 // Every parameter's name, in the order of the struct.
 [[nodiscard]] std::span<const std::string> parameterNames();
