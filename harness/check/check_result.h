@@ -1,0 +1,36 @@
+// One check that was made, as every report shows it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/size.h"
+#include "check/outcome.h"
+
+namespace ssrkit {
+
+struct CheckResult {
+  std::string id;         // "hiz.matches_oracle.different_rays": the test's id and the expectation's name
+  std::string scene;      // "clutter"
+  std::string device;     // "gl-osmesa"
+  std::string stage;      // "hiz", empty where no stage is concerned
+  Size size;              // texels
+  std::string case_name;  // "t_0.3m", empty for the only case
+  Outcome outcome = Outcome::kError;
+  std::string metric;           // "different_rays"
+  std::optional<double> value;  // as measured, in `unit`; none when nothing could be measured
+  std::optional<double> max;    // the bounds it is held to, either or both
+  std::optional<double> min;
+  std::string unit;     // "rays", "px", "ratio"
+  std::string message;  // several lines on a failure: where, yours, expected, how widespread, likely cause
+  std::string repro;    // the command that runs this check alone
+};
+
+// "<= 0 rays", ">= 13 ratio", "0.5 .. 2 px"; empty without bounds.
+[[nodiscard]] std::string boundText(const CheckResult& result);
+
+// "hiz.matches_oracle.different_rays clutter 320x180 t_0.3m gl-osmesa hiz": names the check in lists and
+// logs.
+[[nodiscard]] std::string fullName(const CheckResult& result);
+
+}  // namespace ssrkit
