@@ -19,7 +19,8 @@ namespace ssrkit {
 // The same for a writer that needs a file name of its own (OpenImageIO): `write(temporary)` fills the file.
 // The temporary name keeps `path`'s extension.
 [[nodiscard]] Expected<void> writeFileAtomically(
-    const std::filesystem::path& path, const std::function<Expected<void>(const std::filesystem::path&)>& write);
+    const std::filesystem::path& path,
+    const std::function<Expected<void>(const std::filesystem::path&)>& write);
 
 // Removes the temporary files of writes that are under way. Only calls that are safe in a signal handler.
 void removeUnfinishedFiles() noexcept;

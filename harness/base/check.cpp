@@ -6,8 +6,8 @@
 namespace ssrkit {
 
 void checkFailed(std::string_view file, int line, std::string_view condition, std::string_view values) {
-  fmt::print(stderr, "{}:{}: internal check failed: {}{}{}\n", file, line, condition, values.empty() ? "" : ": ",
-             values);
+  fmt::print(stderr, "{}:{}: internal check failed: {}{}{}\n", file, line, condition,
+             values.empty() ? "" : ": ", values);
   std::fflush(stderr);
   std::abort();
 }

@@ -18,12 +18,14 @@ tl::unexpected<Error> make(ErrorKind kind, std::string attempted, std::string pr
 
 tl::unexpected<Error> inputError(std::string attempted, std::string problem, std::string where,
                                  std::string remedy) {
-  return make(ErrorKind::kInput, std::move(attempted), std::move(problem), std::move(where), std::move(remedy));
+  return make(ErrorKind::kInput, std::move(attempted), std::move(problem), std::move(where),
+              std::move(remedy));
 }
 
 tl::unexpected<Error> setupError(std::string attempted, std::string problem, std::string where,
                                  std::string remedy) {
-  return make(ErrorKind::kSetup, std::move(attempted), std::move(problem), std::move(where), std::move(remedy));
+  return make(ErrorKind::kSetup, std::move(attempted), std::move(problem), std::move(where),
+              std::move(remedy));
 }
 
 std::string sentence(const Error& error) {
@@ -38,6 +40,8 @@ std::string sentence(const Error& error) {
   return text;
 }
 
-int exitCode(const Error& error) { return error.kind == ErrorKind::kInput ? 2 : 3; }
+int exitCode(const Error& error) {
+  return error.kind == ErrorKind::kInput ? 2 : 3;
+}
 
 }  // namespace ssrkit

@@ -27,12 +27,12 @@ template <class T>
 using Expected = tl::expected<T, Error>;
 
 // An error of the user's making (exit 2).
-[[nodiscard]] tl::unexpected<Error> inputError(std::string attempted, std::string problem, std::string where = {},
-                                               std::string remedy = {});
+[[nodiscard]] tl::unexpected<Error> inputError(std::string attempted, std::string problem,
+                                               std::string where = {}, std::string remedy = {});
 
 // An error of the machine's set-up (exit 3).
-[[nodiscard]] tl::unexpected<Error> setupError(std::string attempted, std::string problem, std::string where = {},
-                                               std::string remedy = {});
+[[nodiscard]] tl::unexpected<Error> setupError(std::string attempted, std::string problem,
+                                               std::string where = {}, std::string remedy = {});
 
 // The whole error as one sentence on one line, "where: could not ATTEMPTED: PROBLEM; REMEDY." and the
 // reasons on indented lines below it.

@@ -10,7 +10,8 @@
 namespace ssrkit {
 
 // The candidate nearest to `word` by edit distance, when it is near enough to be a slip of the keyboard.
-[[nodiscard]] std::optional<std::string> nearestName(std::string_view word, std::span<const std::string> candidates);
+[[nodiscard]] std::optional<std::string> nearestName(std::string_view word,
+                                                     std::span<const std::string> candidates);
 
 // "a, b and c"
 [[nodiscard]] std::string joinNames(std::span<const std::string> names);
