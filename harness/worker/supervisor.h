@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <variant>
@@ -14,16 +14,16 @@ namespace ssrkit {
 
 struct JobLimits {
   std::chrono::milliseconds wall{120000};
-  std::chrono::seconds cpu{240};
+  std::chrono::seconds cpu{240};  // of the worker process, all threads; at least 1
 };
 
-// The worker died of a signal or stopped answering in the middle of a job.
+// The worker died or stopped answering in the middle of a job.
 struct WorkerDeath {
   enum class Kind { kCrash, kTimeout };
   Kind kind = Kind::kCrash;
-  int signal = 0;              // that ended it; SIGXCPU for the CPU limit
-  std::string last_progress;   // what it had begun
-  std::string stderr_tail;     // the last lines it wrote
+  int signal = 0;  // that ended it: SIGKILL for the wall limit, SIGXCPU for the CPU limit, 0 for none
+  std::string last_progress;  // what it had begun
+  std::string stderr_tail;    // the last lines it wrote; without a signal, a last line says how it ended
 };
 
 using JobOutcome = std::variant<JobResult, Error, WorkerDeath>;
@@ -33,10 +33,21 @@ struct DeviceInfo {
   DeviceTraits traits;
 };
 
-// One device's worker. It is started at the first call, and again after a death.
+struct WorkerOptions {
+  std::filesystem::path shader_root;                    // where the start-up probe finds its shaders
+  std::filesystem::path executable = "/proc/self/exe";  // called as `EXECUTABLE __worker DEVICE`
+  std::chrono::milliseconds start_limit{20000};         // from the start to the device's identity and traits
+};
+
+// One device's worker. It is started at the first call, and again after a death. Different Workers may be
+// used from different threads at once; one Worker from one thread at a time.
+//
+// A hook for end-to-end tests: when SSRKIT_FAULT is "crash:TEXT", "hang:TEXT" or "spin:TEXT", a worker raises
+// SIGSEGV, sleeps for ever or loops for ever once it has reported a progress whose "DEVICE JOB: PROGRESS"
+// contains TEXT ("gl-osmesa clutter 640x360: draw trace_hiz").
 class Worker {
  public:
-  explicit Worker(const DeviceEntry& entry);
+  Worker(const DeviceEntry& entry, WorkerOptions options);
   ~Worker();
   Worker(Worker&&) noexcept;
   Worker& operator=(Worker&&) noexcept;
@@ -44,7 +55,7 @@ class Worker {
   // Identity and traits; an Error when the device is absent or its worker dies at the start.
   [[nodiscard]] Expected<DeviceInfo> info();
 
-  // Blocks until the result, an error or a death.
+  // Blocks until the result, an error or a death. A worker that cannot be started is an Error.
   [[nodiscard]] JobOutcome run(const Job& job, const JobLimits& limits);
 
  private:
@@ -52,7 +63,12 @@ class Worker {
   std::unique_ptr<Impl> impl_;
 };
 
-// The worker process: `ssrkit __worker DEVICE`, speaks the protocol on `fd` until it is closed. Returns the exit code.
+// The worker process: `ssrkit __worker DEVICE`, speaks the protocol on `fd` (3) until it is closed. Returns
+// the exit code.
 [[nodiscard]] int workerMain(const std::string& device_id, int fd);
+
+// Kills every worker of this process at once. Only calls that are safe in a signal handler: workers have
+// process groups of their own, so the terminal's Ctrl-C does not reach them.
+void killAllWorkers() noexcept;
 
 }  // namespace ssrkit
