@@ -1,5 +1,6 @@
-// The one seam between the kit and a graphics API. Everything is synchronous: when a call returns, its results are
-// there (on the host for reads). Descriptors are plain structs; handles are move-only and free themselves.
+// The one seam between the kit and a graphics API. Everything is synchronous: when a call returns, its
+// results are there (on the host for reads). Descriptors are plain structs; handles are move-only and free
+// themselves.
 #pragma once
 
 #include <array>
@@ -59,8 +60,8 @@ struct ProgramDesc {
   std::string name;
   std::span<const std::uint32_t> vertex_spirv;
   std::span<const std::uint32_t> fragment_spirv;
-  std::vector<SpecConstant> spec_constants;  // ids that a stage does not declare are not passed to it
-  std::vector<std::uint32_t> vertex_constant_ids;    // ids declared by each stage (from reflection)
+  std::vector<SpecConstant> spec_constants;        // ids that a stage does not declare are not passed to it
+  std::vector<std::uint32_t> vertex_constant_ids;  // ids declared by each stage (from reflection)
   std::vector<std::uint32_t> fragment_constant_ids;
   std::vector<std::uint32_t> sampler_bindings;  // from reflection, both stages
   std::vector<std::uint32_t> uniform_bindings;
@@ -121,7 +122,8 @@ struct PassDesc {
   std::vector<DrawCall> draws{DrawCall{}};
 };
 
-// Around submit and fence (or draw and finish). CPU time is of this process, all threads: the rasteriser's own.
+// Around submit and fence (or draw and finish). CPU time is of this process, all threads: the rasteriser's
+// own.
 struct PassTime {
   std::int64_t wall_ns = 0;
   std::int64_t cpu_ns = 0;
@@ -129,11 +131,11 @@ struct PassTime {
 };
 
 struct DeviceIdentity {
-  std::string id;   // "gl-osmesa"
-  std::string api;  // "OpenGL 4.5 core", "Vulkan 1.3.230"
-  std::string driver;    // "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string version;   // "Mesa 22.3.6"
-  std::string cpu;       // model name
+  std::string id;                         // "gl-osmesa"
+  std::string api;                        // "OpenGL 4.5 core", "Vulkan 1.3.230"
+  std::string driver;                     // "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string version;                    // "Mesa 22.3.6"
+  std::string cpu;                        // model name
   std::vector<std::string> cpu_features;  // "avx2", "avx512f", ...
 };
 
@@ -148,16 +150,19 @@ class Device {
   [[nodiscard]] virtual Expected<std::unique_ptr<DeviceProgram>> createProgram(const ProgramDesc& desc) = 0;
 
   // Tightly packed rows, row 0 on top; the span's size must fit the mip exactly.
-  [[nodiscard]] virtual Expected<void> upload(DeviceImage& image, int mip, std::span<const std::byte> bytes) = 0;
+  [[nodiscard]] virtual Expected<void> upload(DeviceImage& image, int mip,
+                                              std::span<const std::byte> bytes) = 0;
   [[nodiscard]] virtual Expected<std::vector<std::byte>> read(const DeviceImage& image, int mip) = 0;
 
   // Copies the whole mip of `from` to `to` (its mip 0) with its upper left corner at (x, y). Same format.
-  [[nodiscard]] virtual Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x, int y) = 0;
+  [[nodiscard]] virtual Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x,
+                                            int y) = 0;
 
   // Draws and waits. A pass may not sample a mip that it draws to.
   [[nodiscard]] virtual Expected<PassTime> draw(const PassDesc& pass) = 0;
 
-  // Messages of the driver and the validation layer since the last call; each one fails the job that caused it.
+  // Messages of the driver and the validation layer since the last call; each one fails the job that caused
+  // it.
   [[nodiscard]] virtual std::vector<std::string> drainMessages() = 0;
 };
 

@@ -31,7 +31,7 @@ struct DeviceEntry {
 
 // What the start-up probe found on a device; stored with the results.
 struct DeviceTraits {
-  std::uint32_t loop_cap = 0;        // iterations after which loops are cut without a word; 0: none up to 262,144
+  std::uint32_t loop_cap = 0;  // iterations after which loops are cut without a word; 0: none up to 262,144
   bool device_timer_usable = false;  // API timestamps agree with wall time within 20 %
   std::string shader_input;          // "SPIR-V"
 };

@@ -70,7 +70,8 @@ struct TraceResult {
 
 struct JobResult {
   Camera camera;
-  std::map<std::string, Image> images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
+  std::map<std::string, Image>
+      images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
   std::vector<TraceResult> traces;
   std::vector<PassReport> frame_passes;  // G-buffer, light
   std::vector<std::string> notes;        // the scene's

@@ -21,7 +21,8 @@ struct Image {
   Image(Size image_size, std::vector<std::string> channel_names)
       : size(image_size),
         channels(std::move(channel_names)),
-        data(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * channels.size()) {}
+        data(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * channels.size()) {
+  }
 
   [[nodiscard]] std::size_t channelCount() const { return channels.size(); }
   [[nodiscard]] std::size_t texelCount() const {
@@ -30,7 +31,8 @@ struct Image {
   [[nodiscard]] std::size_t index(int x, int y, std::size_t channel = 0) const {
     SSRKIT_CHECK_LT(static_cast<unsigned>(x), static_cast<unsigned>(size.width));
     SSRKIT_CHECK_LT(static_cast<unsigned>(y), static_cast<unsigned>(size.height));
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)) *
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+            static_cast<std::size_t>(x)) *
                channels.size() +
            channel;
   }

@@ -40,7 +40,8 @@ struct RayRecord {
   std::vector<RayHit> rays;  // row by row from the upper left
 
   [[nodiscard]] const RayHit& at(int x, int y) const {
-    return rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)];
+    return rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                static_cast<std::size_t>(x)];
   }
 };
 

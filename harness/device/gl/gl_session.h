@@ -1,0 +1,44 @@
+// A GL context with its entry points and the state that never changes. Every GL object holds on to it.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "device/gl/gl_context.h"
+#include "device/gl/gl_messages.h"
+
+namespace ssrkit {
+
+class GlSession {
+ public:
+  // Fails when the context is older than 4.5 or does not take SPIR-V.
+  [[nodiscard]] static Expected<std::shared_ptr<GlSession>> create(std::unique_ptr<GlContext> context);
+
+  GlSession(const GlSession&) = delete;
+  GlSession& operator=(const GlSession&) = delete;
+  ~GlSession() = default;
+
+  // The entry points, with the context made current.
+  [[nodiscard]] const GladGLContext& gl() const;
+  [[nodiscard]] std::string text(GLenum name) const;
+  [[nodiscard]] int integer(GLenum name) const;
+  [[nodiscard]] std::vector<std::string> drainMessages() { return messages_.drain(gl()); }
+
+  // A set-up error with the driver's messages as its reasons when there are any.
+  [[nodiscard]] Expected<void> failOnMessages(std::string_view attempted, std::string_view remedy);
+
+ private:
+  explicit GlSession(std::unique_ptr<GlContext> context) : context_(std::move(context)) {}
+  void setState();
+
+  GlMessages messages_;  // outlives the context, which reports to it
+  std::unique_ptr<GlContext> context_;
+  GladGLContext gl_{};
+};
+
+}  // namespace ssrkit

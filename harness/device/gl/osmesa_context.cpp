@@ -1,0 +1,114 @@
+#include "device/gl/osmesa_context.h"
+
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "base/check.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr const char* kLibrary = "libOSMesa.so.8";
+constexpr const char* kAttempted = "open the OSMesa software renderer";
+constexpr const char* kInstall = "install Debian's package libosmesa6";
+
+struct OsmesaLibrary {
+  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetCurrentContext) current_context = nullptr;
+  decltype(&OSMesaGetProcAddress) procedure = nullptr;
+};
+
+template <class Function>
+bool find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  return function != nullptr;
+}
+
+// Never closed: Mesa and LLVM leave threads and exit handlers behind that need their code.
+Expected<OsmesaLibrary> loadOsmesa() {
+  void* const library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* const reason = dlerror();
+    return setupError(kAttempted, reason != nullptr ? reason : "it cannot be loaded", kLibrary, kInstall);
+  }
+  OsmesaLibrary osmesa;
+  if (!find(library, "OSMesaCreateContextAttribs", osmesa.create_context) ||
+      !find(library, "OSMesaDestroyContext", osmesa.destroy_context) ||
+      !find(library, "OSMesaMakeCurrent", osmesa.make_current) ||
+      !find(library, "OSMesaGetCurrentContext", osmesa.current_context) ||
+      !find(library, "OSMesaGetProcAddress", osmesa.procedure)) {
+    return setupError(kAttempted, "the library is too old for OpenGL 4.5 core", kLibrary, kInstall);
+  }
+  return osmesa;
+}
+
+class OsmesaContext final : public GlContext {
+ public:
+  OsmesaContext(const OsmesaLibrary& library, OSMesaContext context) : library_(library), context_(context) {}
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  ~OsmesaContext() override {
+    if (library_.current_context() == context_) {
+      library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    }
+    library_.destroy_context(context_);
+  }
+
+  void makeCurrent() override {
+    if (library_.current_context() != context_) {
+      SSRKIT_CHECK(library_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_TRUE);
+    }
+  }
+
+  [[nodiscard]] Procedure procedure(const char* name) const override { return library_.procedure(name); }
+
+ private:
+  OsmesaLibrary library_;
+  OSMesaContext context_;
+  std::array<std::uint8_t, 4> buffer_{};
+};
+
+}  // namespace
+
+Expected<std::unique_ptr<GlContext>> createOsmesaContext() {
+  // OSMesa 22.3 follows a null pointer when this variable names a driver that it does not have.
+  const char* const driver = std::getenv("GALLIUM_DRIVER");
+  if (driver != nullptr && std::string_view(driver) != "llvmpipe" && std::string_view(driver) != "softpipe") {
+    return setupError(kAttempted, std::string("GALLIUM_DRIVER is '") + driver + "', which OSMesa does not have", {},
+                      "unset it or set it to llvmpipe");
+  }
+  const Expected<OsmesaLibrary> library = loadOsmesa();
+  if (!library) {
+    return tl::unexpected(library.error());
+  }
+  // 4.6 is refused by Mesa 22.3.
+  constexpr std::array<int, 11> kAttributes{OSMESA_FORMAT,
+                                            OSMESA_RGBA,
+                                            OSMESA_PROFILE,
+                                            OSMESA_CORE_PROFILE,
+                                            OSMESA_CONTEXT_MAJOR_VERSION,
+                                            4,
+                                            OSMESA_CONTEXT_MINOR_VERSION,
+                                            5,
+                                            OSMESA_DEPTH_BITS,
+                                            0,
+                                            0};
+  const OSMesaContext context = library->create_context(kAttributes.data(), nullptr);
+  if (context == nullptr) {
+    return setupError(kAttempted, "it refused an OpenGL 4.5 core context", kLibrary,
+                      "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
+  }
+  auto result = std::make_unique<OsmesaContext>(*library, context);
+  result->makeCurrent();
+  return result;
+}
+
+}  // namespace ssrkit

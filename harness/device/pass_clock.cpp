@@ -1,0 +1,27 @@
+#include "device/pass_clock.h"
+
+#include <ctime>
+
+#include "base/check.h"
+
+namespace ssrkit {
+namespace {
+
+std::int64_t clockNs(clockid_t clock) {
+  timespec now{};
+  SSRKIT_CHECK_EQ(clock_gettime(clock, &now), 0);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+}  // namespace
+
+std::int64_t processCpuNs() { return clockNs(CLOCK_PROCESS_CPUTIME_ID); }
+
+PassClock::PassClock() : wall_start_ns_(clockNs(CLOCK_MONOTONIC)), cpu_start_ns_(processCpuNs()) {}
+
+PassTime PassClock::elapsed() const {
+  const std::int64_t cpu_ns = processCpuNs() - cpu_start_ns_;
+  return {.wall_ns = clockNs(CLOCK_MONOTONIC) - wall_start_ns_, .cpu_ns = cpu_ns, .device_ns = {}};
+}
+
+}  // namespace ssrkit

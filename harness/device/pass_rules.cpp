@@ -1,0 +1,131 @@
+#include "device/pass_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "base/check.h"
+#include "device/format.h"
+
+namespace ssrkit {
+namespace {
+
+const SampledImage* findBinding(std::span<const SampledImage> sampled, std::uint32_t binding) {
+  const auto found = std::ranges::find(sampled, binding, &SampledImage::binding);
+  return found == sampled.end() ? nullptr : &*found;
+}
+
+bool isDrawnTo(const PassDesc& pass, const SampledImage& sampled) {
+  const auto overlaps = [&](const Attachment& attachment) {
+    return attachment.image == sampled.image && attachment.mip >= sampled.base_mip &&
+           attachment.mip < sampled.base_mip + sampled.mip_count;
+  };
+  return std::ranges::any_of(pass.colour, overlaps) || (pass.depth && overlaps(*pass.depth));
+}
+
+void checkSampled(const PassDesc& pass, const SampledImage& sampled) {
+  SSRKIT_CHECK(sampled.image != nullptr);
+  const ImageDesc& desc = sampled.image->desc();
+  SSRKIT_CHECK_LE(0, sampled.base_mip);
+  SSRKIT_CHECK_LE(1, sampled.mip_count);
+  SSRKIT_CHECK_LE(sampled.base_mip + sampled.mip_count, desc.mip_count);
+  SSRKIT_CHECK(sampled.filter == Filter::kNearest || !formatInfo(desc.format).is_integer);
+  SSRKIT_CHECK(!isDrawnTo(pass, sampled));
+}
+
+Size attachmentSize(const PassDesc& pass) {
+  const Attachment& first = pass.colour.empty() ? *pass.depth : pass.colour.front();
+  return mipSize(first.image->desc(), first.mip);
+}
+
+void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
+  SSRKIT_CHECK_EQ(pass.colour.size(), layout.colour_formats.size());
+  SSRKIT_CHECK_EQ(pass.depth.has_value(), layout.has_depth);
+  SSRKIT_CHECK(!pass.colour.empty() || pass.depth);
+  for (std::size_t i = 0; i < pass.colour.size(); ++i) {
+    SSRKIT_CHECK(pass.colour[i].image != nullptr);
+    const ImageDesc& desc = pass.colour[i].image->desc();
+    SSRKIT_CHECK(desc.format == layout.colour_formats[i]);
+    SSRKIT_CHECK(mipSize(desc, pass.colour[i].mip) == attachmentSize(pass));
+  }
+  if (pass.depth) {
+    SSRKIT_CHECK(pass.depth->image != nullptr);
+    SSRKIT_CHECK(pass.depth->image->desc().format == Format::kD32f);
+    SSRKIT_CHECK(mipSize(pass.depth->image->desc(), pass.depth->mip) == attachmentSize(pass));
+  }
+}
+
+void checkViewport(const PassDesc& pass) {
+  const Size size = attachmentSize(pass);
+  SSRKIT_CHECK_LE(0, pass.viewport.x);
+  SSRKIT_CHECK_LE(0, pass.viewport.y);
+  SSRKIT_CHECK_LE(1, pass.viewport.width);
+  SSRKIT_CHECK_LE(1, pass.viewport.height);
+  SSRKIT_CHECK_LE(pass.viewport.x + pass.viewport.width, size.width);
+  SSRKIT_CHECK_LE(pass.viewport.y + pass.viewport.height, size.height);
+}
+
+}  // namespace
+
+ProgramLayout layoutOf(const ProgramDesc& desc) {
+  return {.name = desc.name,
+          .sampler_bindings = desc.sampler_bindings,
+          .uniform_bindings = desc.uniform_bindings,
+          .vertex_stride_bytes = desc.vertex_stride_bytes,
+          .has_vertices = !desc.vertex_attributes.empty(),
+          .colour_formats = desc.colour_formats,
+          .has_depth = desc.has_depth};
+}
+
+Expected<void> checkImageDesc(const ImageDesc& desc, int max_side) {
+  const int longest = std::max(desc.size.width, desc.size.height);
+  if (std::min(desc.size.width, desc.size.height) < 1 || longest > max_side) {
+    return inputError(fmt::format("create the image '{}'", desc.name),
+                      fmt::format("{} x {} texels is outside 1..{} a side", desc.size.width, desc.size.height, max_side),
+                      {}, "choose another size");
+  }
+  SSRKIT_CHECK_LE(1, desc.mip_count);
+  SSRKIT_CHECK_LE(desc.mip_count, std::bit_width(static_cast<unsigned>(longest)));
+  return {};
+}
+
+void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> bytes) {
+  SSRKIT_CHECK_EQ(bytes.size(), mipByteCount(desc, mip));
+}
+
+void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y) {
+  SSRKIT_CHECK(from.format == to.format);
+  const Size size = mipSize(from, mip);
+  SSRKIT_CHECK_LE(0, x);
+  SSRKIT_CHECK_LE(0, y);
+  SSRKIT_CHECK_LE(x + size.width, to.size.width);
+  SSRKIT_CHECK_LE(y + size.height, to.size.height);
+}
+
+Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout) {
+  checkAttachments(pass, layout);
+  checkViewport(pass);
+  SSRKIT_CHECK_EQ(pass.vertices != nullptr, layout.has_vertices);
+  std::ranges::for_each(pass.sampled, [&](const SampledImage& sampled) { checkSampled(pass, sampled); });
+  for (const DrawCall& draw : pass.draws) {
+    std::ranges::for_each(draw.sampled, [&](const SampledImage& sampled) { checkSampled(pass, sampled); });
+    for (const std::uint32_t binding : layout.sampler_bindings) {
+      if (findBinding(pass.sampled, binding) == nullptr && findBinding(draw.sampled, binding) == nullptr) {
+        return inputError(fmt::format("draw the pass '{}'", pass.name),
+                          fmt::format("its shader has a sampler at binding {} and the pass has no image there", binding),
+                          layout.name, "use a binding that the pass supplies");
+      }
+    }
+  }
+  for (const std::uint32_t binding : layout.uniform_bindings) {
+    if (pass.uniforms.empty() || binding != pass.uniform_binding) {
+      return inputError(fmt::format("draw the pass '{}'", pass.name),
+                        fmt::format("its shader has a uniform block at binding {} and the pass has none there", binding),
+                        layout.name, "use the block that the pass supplies");
+    }
+  }
+  return {};
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,42 @@
+// What every device asks of its callers, written once so that the devices cannot disagree about it.
+// Broken rules are of two kinds: those that a user's shader can break come back as an Error, the rest are checks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "device/device.h"
+
+namespace ssrkit {
+
+// What a device keeps of a ProgramDesc.
+struct ProgramLayout {
+  std::string name;
+  std::vector<std::uint32_t> sampler_bindings;
+  std::vector<std::uint32_t> uniform_bindings;
+  std::uint32_t vertex_stride_bytes = 0;
+  bool has_vertices = false;
+  std::vector<Format> colour_formats;
+  bool has_depth = false;
+};
+[[nodiscard]] ProgramLayout layoutOf(const ProgramDesc& desc);
+
+// Fails when a side is not in 1..max_side; mip_count must be in 1..log2(longest side) + 1.
+[[nodiscard]] Expected<void> checkImageDesc(const ImageDesc& desc, int max_side);
+
+// The span's size is the mip's, to the byte.
+void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> bytes);
+
+// One format, and the mip lies inside mip 0 of `to` at (x, y).
+void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y);
+
+// Fails when the program reads a sampler or a block that the pass does not supply. Checks that the attachments are
+// the program's, all of one size, that the viewport lies inside them, that no mip is both drawn to and sampled, and
+// that integer images are not filtered.
+[[nodiscard]] Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout);
+
+}  // namespace ssrkit

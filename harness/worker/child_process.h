@@ -1,0 +1,61 @@
+// A child process with a socket to it, whose stderr is drained and which never outlives its handle.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "worker/owned_fd.h"
+
+namespace ssrkit {
+
+struct ChildCommand {
+  std::filesystem::path executable;
+  std::vector<std::string> arguments;                             // argv[1] onwards
+  std::vector<std::pair<std::string, std::string>> environment;  // set over this process's own
+};
+
+// How a process ended. `known` is false when somebody else took its status (SIGCHLD ignored by our parent).
+struct ChildEnd {
+  bool known = false;
+  int signal = 0;
+  int exit_code = 0;
+};
+
+// Leads a process group of its own; stdin and stdout are /dev/null, descriptor 3 is the other end of `socket`, and no
+// other descriptor of ours is open in it.
+class ChildProcess {
+ public:
+  [[nodiscard]] static Expected<ChildProcess> start(const ChildCommand& command);
+
+  ~ChildProcess();
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&&) = delete;
+
+  [[nodiscard]] int socket() const { return socket_.get(); }
+  [[nodiscard]] int stderrPipe() const { return stderr_pipe_.get(); }
+
+  // Reads what the child has written to stderr so far, without waiting; the last 64 KiB are kept. False once the child
+  // has closed it.
+  bool drainStderr();
+  [[nodiscard]] const std::string& stderrTail() const { return stderr_tail_; }
+  void clearStderrTail() { stderr_tail_.clear(); }
+
+  // Closes the socket, waits up to `grace` for the child to end by itself, then kills its group and collects it.
+  ChildEnd end(std::chrono::milliseconds grace);
+
+ private:
+  ChildProcess() = default;
+
+  pid_t pid_ = 0;
+  OwnedFd socket_;
+  OwnedFd stderr_pipe_;
+  std::string stderr_tail_;
+};
+
+}  // namespace ssrkit

@@ -1,0 +1,75 @@
+#include "worker/payload.h"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace ssrkit {
+
+namespace {
+
+bool writeAll(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+tl::unexpected<Error> noMemory() {
+  return setupError("hand data from one process to another",
+                    std::string("no shared memory: ") + std::strerror(errno), {},
+                    "free some memory, or choose a smaller size or fewer stages");
+}
+
+}  // namespace
+
+Expected<Payload> makePayload(std::span<const std::byte> header,
+                              std::span<const std::span<const std::byte>> bulk) {
+  Payload payload{OwnedFd(::memfd_create("ssrkit-message", MFD_CLOEXEC)), header.size(), 0};
+  if (!payload.memory || !writeAll(payload.memory.get(), header)) {
+    return noMemory();
+  }
+  for (const std::span<const std::byte> bytes : bulk) {
+    if (!writeAll(payload.memory.get(), bytes)) {
+      return noMemory();
+    }
+    payload.bulk_bytes += bytes.size();
+  }
+  return payload;
+}
+
+bool hasDeclaredSize(const Payload& payload) {
+  struct stat status = {};
+  if (::fstat(payload.memory.get(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size < 0) {
+    return false;
+  }
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  return payload.header_bytes <= size && payload.bulk_bytes == size - payload.header_bytes;
+}
+
+bool readPayload(const Payload& payload, std::uint64_t offset, std::span<std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count =
+        ::pread(payload.memory.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) {
+      continue;
+    }
+    if (count <= 0) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += static_cast<std::uint64_t>(count);
+  }
+  return true;
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,67 @@
+// Writes the G-buffer: what later passes know of each pixel's nearest surface.
+//
+// Out: albedo     rgb base colour, linear
+//      normal_view xyz unit shading normal; a cosine between the reflected view direction and the geometric normal,
+//                 negative where a normal map bends the reflection below the surface
+//      material   r metallic, g roughness, b 1 where rays are traced
+//      emission   rgb, linear
+//      dist_view  metres (background: +inf, by the clear)
+// A material is one row of material_table: base colour; metallic, roughness, mirror, alpha cutoff (negative: opaque);
+// emissive, normal scale; has base colour, metallic-roughness, normal, emissive texture; double-sided.
+#version 450
+#include "ssr_ordered.glsl"
+
+layout(binding = 1) uniform sampler2D material_table;
+layout(binding = 2) uniform sampler2D base_colour_texture;
+layout(binding = 3) uniform sampler2D metallic_roughness_texture;
+layout(binding = 4) uniform sampler2D normal_texture;
+layout(binding = 5) uniform sampler2D emissive_texture;
+
+layout(location = 0) in vec3 p_view;
+layout(location = 1) in vec3 normal_view;
+layout(location = 2) in vec4 tangent_view;
+layout(location = 3) in vec2 uv;
+layout(location = 4) flat in vec3 face_normal_view;
+layout(location = 5) flat in float material_index;
+
+layout(location = 0) out vec4 albedo;
+layout(location = 1) out vec4 normal_and_clearance;
+layout(location = 2) out vec4 material;
+layout(location = 3) out vec4 emission;
+layout(location = 4) out float dist_view;
+
+// Shading normal in view space, turned with the face (side is -1 on the back of a double-sided triangle).
+vec3 shading_normal(float side, float normal_scale, bool has_normal_texture) {
+  vec3 normal = side * ordered_normalize(normal_view);
+  if (!has_normal_texture) {
+    return normal;
+  }
+  vec3 tangent = ordered_normalize(tangent_view.xyz - ordered_dot(normal, tangent_view.xyz) * normal);
+  vec3 bitangent = (side * tangent_view.w) * cross(normal, tangent);
+  vec3 texel = 2.0 * texture(normal_texture, uv).xyz - 1.0;
+  texel.xy *= normal_scale;
+  return ordered_normalize((texel.x * tangent + texel.y * bitangent) + texel.z * normal);
+}
+
+void main() {
+  int row = int(material_index);
+  vec4 base_colour = texelFetch(material_table, ivec2(0, row), 0);
+  vec4 surface = texelFetch(material_table, ivec2(1, row), 0);
+  vec4 emissive_and_scale = texelFetch(material_table, ivec2(2, row), 0);
+  bvec4 has_texture = greaterThan(texelFetch(material_table, ivec2(3, row), 0), vec4(0.0));
+  bool is_double_sided = texelFetch(material_table, ivec2(4, row), 0).x > 0.0;
+
+  float side = ordered_dot(face_normal_view, p_view) > 0.0 ? -1.0 : 1.0;
+  vec4 sampled_colour = has_texture.x ? base_colour * texture(base_colour_texture, uv) : base_colour;
+  if ((side < 0.0 && !is_double_sided) || sampled_colour.a < surface.a) {
+    discard;
+  }
+  vec3 normal = shading_normal(side, emissive_and_scale.a, has_texture.z);
+  vec3 reflected = ordered_reflect(ordered_normalize(p_view), normal);
+  vec4 roughness_metal = has_texture.y ? texture(metallic_roughness_texture, uv) : vec4(1.0);
+  albedo = vec4(sampled_colour.rgb, 1.0);
+  normal_and_clearance = vec4(normal, ordered_dot(reflected, side * face_normal_view));
+  material = vec4(surface.x * roughness_metal.b, surface.y * roughness_metal.g, surface.z, 1.0);
+  emission = vec4(emissive_and_scale.rgb * (has_texture.w ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
+  dist_view = -p_view.z;
+}

@@ -1,0 +1,32 @@
+// Draws the scene's triangles into the G-buffer: world-space vertices to view and clip space.
+#version 450
+#include "ssr_spaces.glsl"
+
+layout(std140, binding = 0) uniform GbufferBlock {
+  mat4 clip_from_view;
+  mat4 view_from_world;
+};
+
+layout(location = 0) in vec3 in_p_world;
+layout(location = 1) in vec3 in_normal_world;
+layout(location = 2) in vec4 in_tangent_world;
+layout(location = 3) in vec2 in_uv;
+layout(location = 4) in vec3 in_face_normal_world;
+layout(location = 5) in float in_material_index;
+
+layout(location = 0) out vec3 p_view;
+layout(location = 1) out vec3 normal_view;
+layout(location = 2) out vec4 tangent_view;
+layout(location = 3) out vec2 uv;
+layout(location = 4) flat out vec3 face_normal_view;
+layout(location = 5) flat out float material_index;
+
+void main() {
+  p_view = (view_from_world * vec4(in_p_world, 1.0)).xyz;
+  normal_view = mat3(view_from_world) * in_normal_world;
+  tangent_view = vec4(mat3(view_from_world) * in_tangent_world.xyz, in_tangent_world.w);
+  uv = in_uv;
+  face_normal_view = mat3(view_from_world) * in_face_normal_world;
+  material_index = in_material_index;
+  gl_Position = rasterizer_from_clip(clip_from_view * vec4(p_view, 1.0));
+}

@@ -1,0 +1,87 @@
+// The screen-space DDA: one sample a stride along the ray's longer axis on the image, perspective-correct (McGuire and
+// Mara, "Efficient GPU Screen-Space Ray Tracing", JCGT 3(4) 2014, sections 3 and 4).
+//
+// In: a clipped ray. Out: the first sampled texel whose column the ray overlaps; for strides over 1 refined by
+//   bisection_count one-sided bisections. On a miss texel, p_px and t_m are -1.
+// Needs: float load_dist_view(vec2 texel)    metres, +inf for background
+// Each sample answers for a block of stride x stride texels about the ray's position in the middle of its columns; the
+// depth interval tested is the ray's inside that block and inside the segment. At stride 1 the block is the texel, so
+// what it finds is true of that texel, and all it can miss is a texel that the ray crosses beside the column's middle:
+// the 8-connected walk leaks through diagonal lines.
+#ifndef SSR_MARCH_DDA_GLSL
+#define SSR_MARCH_DDA_GLSL
+
+#include "ssr_ray.glsl"
+
+// Halves [s_front, s_behind] while its far end stays behind a surface; texel is the far end's.
+float dda_bisect(Ray ray, float s_front, float s_behind, int bisections, inout vec2 texel, TraceParameters parameters) {
+  for (int i = 0; i < bisections; ++i) {
+    float s_middle = 0.5 * (s_front + s_behind);
+    vec2 texel_middle = texel_at(ray_position_px(ray, s_middle), parameters);
+    float dist_middle = load_dist_view(texel_middle);
+    bool is_behind = ray_inv_dist(ray, s_middle) * dist_middle <= 1.0 && any(notEqual(texel_middle, ray.own_texel));
+    s_front = is_behind ? s_front : s_middle;
+    if (is_behind) {
+      s_behind = s_middle;
+      texel = texel_middle;
+    }
+  }
+  return s_behind;
+}
+
+RayHit march_dda(Ray ray, TraceParameters parameters) {
+  bool x_is_primary = abs(ray.px_per_s.x) >= abs(ray.px_per_s.y);
+  vec2 primary = x_is_primary ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+  vec2 far_edge = ray_far_edge(ray);
+  vec2 direction = 2.0 * far_edge - 1.0;
+  // Edges of the sampled columns along the primary axis, from the far edge of the origin's column on.
+  float stride_px = parameters.stride_px;
+  vec2 column_edge = floor(ray.origin_px) + far_edge;
+  if (parameters.jitter > 0.0) {
+    column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5) * stride_px);
+  }
+  float s_first = ordered_dot(ray_s_at_edges(ray, floor(ray.origin_px) + far_edge), primary);
+  float s_column_in = s_first;
+  vec2 half_block = (1.0 - primary) * (0.5 * stride_px);
+  float s_in = 0.0;
+  float s_out = 0.0;
+  float s_sample = 0.0;
+  vec2 texel = vec2(0.0);
+  float dist_view = 0.0;
+  int lookups = 0;
+  bool is_hit = false;
+  bool is_over = s_first >= ray.s_end;
+  for (int i = 0; i < parameters.lookup_budget; ++i) {
+    if (is_over) {
+      break;
+    }
+    column_edge += direction * stride_px;
+    float s_column_out = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
+    s_sample = min(0.5 * (s_column_in + s_column_out), ray.s_end);
+    texel = texel_at(ray_position_px(ray, s_sample), parameters);
+    // The block's edges across the secondary axis.
+    vec2 middle = texel + 0.5;
+    float s_block_a = ordered_dot(ray_s_at_edges(ray, middle - direction * half_block), 1.0 - primary);
+    float s_block_b = ordered_dot(ray_s_at_edges(ray, middle + direction * half_block), 1.0 - primary);
+    s_in = max(s_column_in, s_block_a);
+    s_out = min(min(s_column_out, s_block_b), ray.s_end);
+    dist_view = load_dist_view(texel);
+    ++lookups;
+    is_hit = s_in <= s_out && column_overlaps(ray_inv_dist(ray, s_in), ray_inv_dist(ray, s_out), dist_view, parameters) &&
+             any(notEqual(texel, ray.own_texel));
+    is_over = is_hit || s_column_out >= ray.s_end;
+    s_column_in = s_column_out;
+  }
+  if (!is_hit) {
+    return ray_without_hit(is_over ? ray.end_class : RAY_BUDGET, lookups, lookups);
+  }
+  if (stride_px > 1.0) {
+    int bisections = min(parameters.bisection_count, parameters.lookup_budget - lookups);
+    float s_behind = dda_bisect(ray, s_in, s_out, bisections, texel, parameters);
+    int all_lookups = lookups + max(bisections, 0);
+    return RayHit(ivec2(texel), ray_position_px(ray, s_behind), ray_t_m(ray, s_behind), RAY_HIT, all_lookups, all_lookups);
+  }
+  return ray_hit_in_texel(ray, texel, dist_view, s_in, s_out, lookups, lookups, parameters);
+}
+
+#endif

@@ -1,0 +1,31 @@
+// Step length of the marches that go along the 3-D ray, in metres.
+#ifndef SSR_STEP_GLSL
+#define SSR_STEP_GLSL
+
+#include "ssr_ray.glsl"
+
+// Mesa cuts loops at 65,535 iterations without a word; no march comes near.
+const int MAX_MARCH_STEPS = 16384;
+
+// How far a march keeps from a ray's vanishing point, in pixels: there the length in metres is infinite.
+const float VANISHING_MARGIN_PX = 0.5;
+
+// Length of the clipped ray. A ray that runs to its vanishing point inside the image ends half a pixel before it.
+float ray_end_m(Ray ray) {
+  float speed_px = max(abs(ray.px_per_s.x), abs(ray.px_per_s.y));
+  float inv_dist_end = ray_inv_dist(ray, ray.s_end);
+  float margin = VANISHING_MARGIN_PX / max(speed_px, PARALLEL_PX) * abs(ray.inv_dist_per_s);
+  return ray.s_end / max(inv_dist_end, min(margin, ray.inv_dist_origin));
+}
+
+// The user's step_m, or the clipped ray in step_count equal steps.
+float march_step_m(float t_end_m, TraceParameters parameters) {
+  return parameters.step_m > 0.0 ? parameters.step_m : t_end_m / float(parameters.step_count);
+}
+
+// How far the samples of this pixel are moved back: up to jitter steps, by dither noise.
+float march_offset_m(Ray ray, float step_m, TraceParameters parameters) {
+  return parameters.jitter > 0.0 ? parameters.jitter * dither_noise(ray.own_texel + 0.5) * step_m : 0.0;
+}
+
+#endif

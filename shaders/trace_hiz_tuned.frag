@@ -1,0 +1,22 @@
+// Traces every reflective pixel's ray through the min-depth pyramid, tuned form: all levels in one atlas.
+#version 450
+#include "trace_entry.glsl"
+
+layout(binding = 4) uniform sampler2D pyramid_atlas;
+
+// Level m starts at row atlas_rows * (1 - 2^-m): the base at 0, each level below the one before (docs/formats.md).
+vec2 load_atlas(vec2 cell, float cell_size_px) {
+  float first_row = atlas_rows - atlas_rows / cell_size_px;
+  return textureLod(pyramid_atlas, vec2(cell.x + 0.5, cell.y + (first_row + 0.5)) * atlas_texel_uv, 0.0).xy;
+}
+
+#include "ssr_march_hiz_tuned.glsl"
+
+void main() {
+  Ray ray;
+  RayHit hit;
+  if (trace_begin(ray, hit)) {
+    hit = march_hiz_tuned(ray, trace_parameters());
+  }
+  trace_end(hit);
+}
