@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "base/error.h"
 #include "device/device.h"
 #include "frame/job.h"
+#include "shader/compiler.h"
 
 namespace ssrkit {
 
@@ -15,7 +17,7 @@ using Progress = std::function<void(const std::string&)>;
 // Runs one job on one device. Scenes and programs are kept between jobs of one runner.
 class JobRunner {
  public:
-  explicit JobRunner(Device& device);
+  JobRunner(Device& device, ShaderTarget target);
   ~JobRunner();
   JobRunner(const JobRunner&) = delete;
   JobRunner& operator=(const JobRunner&) = delete;
@@ -23,9 +25,8 @@ class JobRunner {
   [[nodiscard]] Expected<JobResult> run(const Job& job, const Progress& progress);
 
  private:
-  struct Caches;
-  Device& device_;
-  std::unique_ptr<Caches> caches_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ssrkit

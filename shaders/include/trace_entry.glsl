@@ -14,6 +14,7 @@ layout(std140, binding = 0) uniform TraceBlock {
   vec2 px_scale;
   vec2 px_offset;
   vec2 view_per_px;
+  vec2 texel_uv;        // 1 / size_px
   vec2 atlas_texel_uv;  // 1 / size of the pyramid atlas
   float atlas_rows;     // rows that its levels above the base start after
   float near_m;
@@ -46,7 +47,7 @@ TraceParameters trace_parameters() {
 PixelProjection trace_projection() { return PixelProjection(px_scale, px_offset, view_per_px); }
 
 // A nearest sample instead of texelFetch: the same texel, and 1.7 times as fast on llvmpipe.
-float load_dist_view(vec2 texel) { return textureLod(dist_view, (texel + 0.5) / size_px, 0.0).x; }
+float load_dist_view(vec2 texel) { return textureLod(dist_view, (texel + 0.5) * texel_uv, 0.0).x; }
 
 // Whether this pixel's ray is to be marched; if not, `hit` is its record.
 bool trace_begin(out Ray ray, out RayHit hit) {
