@@ -26,7 +26,8 @@ struct ByteImage {
   }
   // Of the texel's first channel. Not checked: for loops over a known rectangle.
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)) *
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+            static_cast<std::size_t>(x)) *
            static_cast<std::size_t>(channel_count);
   }
 };

@@ -28,8 +28,9 @@ struct ExrExpectation {
 };
 
 // Reads half and float channels, scan lines or tiles (the finest level). NaN and infinity come through as
-// they are. Refused, with the reason: anything that is no EXR, several parts, deep data, integer or subsampled
-// channels, a crop or overscan, sides over 16,384 texels, more than 2 GiB of floats, damaged files.
+// they are. Refused, with the reason: anything that is no EXR, several parts, deep data, integer or
+// subsampled channels, a crop or overscan, sides over 16,384 texels, more than 2 GiB of floats, damaged
+// files.
 [[nodiscard]] Expected<Image> readExr(const std::filesystem::path& path, const ExrExpectation& expected = {});
 
 }  // namespace ssrkit

@@ -1,6 +1,6 @@
-// The parts of an EXR header that decide whether the kit reads the file at all. OpenEXR allocates by the sizes
-// that a header claims, so these are looked at first, from the format's description (openexr.com, "OpenEXR File
-// Layout").
+// The parts of an EXR header that decide whether the kit reads the file at all. OpenEXR allocates by the
+// sizes that a header claims, so these are looked at first, from the format's description (openexr.com,
+// "OpenEXR File Layout").
 #pragma once
 
 #include <string>

@@ -25,7 +25,8 @@ tl::unexpected<Error> readError(const fs::path& path, std::string problem, std::
   return inputError(fmt::format("read '{}'", path.string()), std::move(problem), {}, std::move(remedy));
 }
 
-Expected<ExrHeader> acceptedHeader(const fs::path& path, std::string_view file, const ExrExpectation& expected) {
+Expected<ExrHeader> acceptedHeader(const fs::path& path, std::string_view file,
+                                   const ExrExpectation& expected) {
   ExrHeader header;
   std::string problem;
   if (!readExrHeader(file, header, problem)) {
@@ -56,7 +57,8 @@ Expected<std::vector<std::string>> wantedChannels(const fs::path& path, const Ex
   for (const std::string& channel : wanted) {
     if (!contains(header.channels, channel)) {
       constexpr std::size_t kListed = 32;
-      const std::span<const std::string> listed(header.channels.data(), std::min(header.channels.size(), kListed));
+      const std::span<const std::string> listed(header.channels.data(),
+                                                std::min(header.channels.size(), kListed));
       return readError(path,
                        fmt::format("the channel '{}' is missing; it holds {}{}", channel, joinNames(listed),
                                    listed.size() < header.channels.size() ? " and more" : ""),
@@ -70,7 +72,8 @@ Expected<std::vector<std::string>> wantedChannels(const fs::path& path, const Ex
   const long long bytes = static_cast<long long>(header.size.width) * header.size.height *
                           static_cast<long long>(header.channels.size() * sizeof(float));
   if (bytes > kMaxImageBytes) {
-    return readError(path, fmt::format("it holds {} bytes, and the kit reads up to {}", bytes, kMaxImageBytes),
+    return readError(path,
+                     fmt::format("it holds {} bytes, and the kit reads up to {}", bytes, kMaxImageBytes),
                      "write a smaller image");
   }
   return wanted;
@@ -78,7 +81,8 @@ Expected<std::vector<std::string>> wantedChannels(const fs::path& path, const Ex
 
 // For each wanted channel its number in the file.
 Expected<std::vector<std::size_t>> channelNumbers(const fs::path& path, const OIIO::ImageSpec& spec,
-                                                  const ExrHeader& header, const std::vector<std::string>& wanted) {
+                                                  const ExrHeader& header,
+                                                  const std::vector<std::string>& wanted) {
   std::vector<std::size_t> numbers;
   for (const std::string& channel : wanted) {
     const auto found = std::ranges::find(spec.channelnames, channel);
@@ -95,7 +99,8 @@ Expected<std::vector<std::size_t>> channelNumbers(const fs::path& path, const OI
 // file again) and puts them in the wanted order.
 Expected<Image> readChannels(const fs::path& path, const std::string& file, const ExrHeader& header,
                              const std::vector<std::string>& wanted) {
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file.data()), file.size());  // OIIO 2.4 takes no const
+  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file.data()),
+                                       file.size());  // OIIO 2.4 takes no const
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("exr", false, nullptr, &memory);
   OIIO::ImageSpec spec;
   if (!input || !input->set_ioproxy(&memory) || !input->open(path.string(), spec)) {

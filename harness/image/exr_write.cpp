@@ -46,7 +46,8 @@ Expected<void> writeExr(const fs::path& path, const Image& image, const ExrMetad
                       output ? output->geterror() : OIIO::geterror(), {},
                       "check the installation of the package libopenimageio2.4");
   }
-  return writeFileAtomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return writeFileAtomically(path,
+                             std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace ssrkit

@@ -63,7 +63,8 @@ Expected<void> writePng(const fs::path& path, const ByteImage& image) {
                       output ? output->geterror() : OIIO::geterror(), {},
                       "check the installation of the package libopenimageio2.4");
   }
-  return writeFileAtomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return writeFileAtomically(path,
+                             std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 Expected<ByteImage> readPng(const fs::path& path) {
@@ -72,7 +73,8 @@ Expected<ByteImage> readPng(const fs::path& path) {
   if (!file) {
     return tl::make_unexpected(file.error());
   }
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file->data()), file->size());  // OIIO 2.4 takes no const
+  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file->data()),
+                                       file->size());  // OIIO 2.4 takes no const
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("png", false, nullptr, &memory);
@@ -81,8 +83,8 @@ Expected<ByteImage> readPng(const fs::path& path) {
     return readError(path, "it is not a PNG file, or it is damaged");
   }
   if (spec.width > kMaxImageSide || spec.height > kMaxImageSide) {
-    return readError(path, fmt::format("it is {} x {} texels, and the kit reads up to {} on a side", spec.width,
-                                       spec.height, kMaxImageSide));
+    return readError(path, fmt::format("it is {} x {} texels, and the kit reads up to {} on a side",
+                                       spec.width, spec.height, kMaxImageSide));
   }
   ByteImage image(Size{spec.width, spec.height}, spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.data.data())) {

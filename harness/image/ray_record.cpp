@@ -28,14 +28,19 @@ bool isInteger(float value, float low, float high) {
 
 // What is wrong with one ray, empty when nothing is. NaN fails every comparison and so every test here.
 std::string problemOf(std::span<const float> v, Size size) {
-  const std::array<float, kChannelCount> high = {
-      static_cast<float>(size.width - 1), static_cast<float>(size.height - 1), 0, 0, 0, kRayClassCount - 1,
-      kMaxExactInteger,                   kMaxExactInteger};
+  const std::array<float, kChannelCount> high = {static_cast<float>(size.width - 1),
+                                                 static_cast<float>(size.height - 1),
+                                                 0,
+                                                 0,
+                                                 0,
+                                                 kRayClassCount - 1,
+                                                 kMaxExactInteger,
+                                                 kMaxExactInteger};
   for (const Channel channel : {kTexelX, kTexelY, kClass, kLookups, kSteps}) {
     const float low = channel == kTexelX || channel == kTexelY ? -1.0F : 0.0F;
     if (!isInteger(v[channel], low, high[channel])) {
-      return fmt::format("'{}' is {}, and must be an integer from {} to {}", kChannels[channel], v[channel], low,
-                         high[channel]);
+      return fmt::format("'{}' is {}, and must be an integer from {} to {}", kChannels[channel], v[channel],
+                         low, high[channel]);
     }
   }
   for (const Channel channel : {kPxX, kPxY, kT}) {
@@ -47,8 +52,8 @@ std::string problemOf(std::span<const float> v, Size size) {
   const bool has_texel = v[kTexelX] >= 0 && v[kTexelY] >= 0;
   const bool has_no_texel = v[kTexelX] < 0 && v[kTexelY] < 0;
   if (is_hit ? !has_texel : !has_no_texel) {
-    return fmt::format("its class is {} and its hit texel is ({}, {})", name(static_cast<RayClass>(v[kClass])),
-                       v[kTexelX], v[kTexelY]);
+    return fmt::format("its class is {} and its hit texel is ({}, {})",
+                       name(static_cast<RayClass>(v[kClass])), v[kTexelX], v[kTexelY]);
   }
   return {};
 }
@@ -69,10 +74,10 @@ Expected<std::array<std::size_t, kChannelCount>> channelOrder(const Image& image
   for (std::size_t i = 0; i < kChannelCount; ++i) {
     const auto found = std::ranges::find(image.channels, kChannels[i]);
     if (found == image.channels.end()) {
-      return inputError("read a ray record",
-                        fmt::format("the channel '{}' is missing; it holds {}", kChannels[i],
-                                    joinNames(image.channels)),
-                        where, fmt::format("a hit.exr holds {}", joinNames(kChannels)));
+      return inputError(
+          "read a ray record",
+          fmt::format("the channel '{}' is missing; it holds {}", kChannels[i], joinNames(image.channels)),
+          where, fmt::format("a hit.exr holds {}", joinNames(kChannels)));
     }
     order[i] = static_cast<std::size_t>(found - image.channels.begin());
   }
