@@ -1,0 +1,54 @@
+// The named images of a frame, as rows of data, and their device images at one size.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "device/device.h"
+
+namespace ssrkit {
+
+struct FrameImageRow {
+  std::string name;
+  Format format;
+  std::vector<std::string> channels;  // of the EXR file; empty: never leaves the device as a file
+  std::array<double, 4> clear{};
+  std::array<float, 4> upload_default{};  // what a G-buffer made by others has where it lacks this image
+};
+
+// The G-buffer's colour images in the order of gbuffer.frag's outputs.
+[[nodiscard]] std::span<const FrameImageRow> gbufferImages();
+
+// The row of any image of the frame; the name must exist.
+[[nodiscard]] const FrameImageRow& frameImageRow(std::string_view name);
+
+// Device images by name, created at the first use.
+class FrameImages {
+ public:
+  FrameImages(Device& device, Size size) : device_(device), size_(size) {}
+
+  // A row's image, at the frame's size.
+  [[nodiscard]] Expected<DeviceImage*> get(const std::string& name);
+
+  // An image of a size and format of its own (pyramids, textures), under a name of its own.
+  [[nodiscard]] Expected<DeviceImage*> getSized(const ImageDesc& desc);
+
+  // nullptr when it was never created.
+  [[nodiscard]] DeviceImage* find(const std::string& name) const;
+
+  [[nodiscard]] Size size() const { return size_; }
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  Device& device_;
+  Size size_;
+  std::map<std::string, std::unique_ptr<DeviceImage>> images_;
+};
+
+}  // namespace ssrkit

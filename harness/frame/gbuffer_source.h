@@ -1,0 +1,32 @@
+// Where a frame's G-buffer comes from: the scene's triangles, or images made by others.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "base/error.h"
+#include "device/device.h"
+#include "frame/frame_images.h"
+#include "frame/programs.h"
+#include "frame/scene_resources.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "spaces/camera.h"
+
+namespace ssrkit {
+
+[[nodiscard]] const PassRow& gbufferPass();
+
+// Draws the scene into the G-buffer images.
+[[nodiscard]] Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Scene& scene,
+                                             const SceneResources& resources, FrameImages& images,
+                                             const UniformValues& values);
+
+// Uploads images made by others; what is missing gets its default, depth_window is not made.
+[[nodiscard]] Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,
+                                           FrameImages& images);
+
+// The uniforms that depend on the camera alone.
+void setCameraUniforms(UniformValues& values, const Camera& camera);
+
+}  // namespace ssrkit

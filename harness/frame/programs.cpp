@@ -1,0 +1,186 @@
+#include "frame/programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace ssrkit {
+
+namespace {
+
+std::vector<std::uint32_t> constantIds(const ShaderInterface& interface) {
+  std::vector<std::uint32_t> ids;
+  for (const SpecConstantInfo& constant : interface.spec_constants) {
+    ids.push_back(constant.id);
+  }
+  return ids;
+}
+
+// A shader put in a pass's place must write what the pass writes: the attachments' count and kinds.
+Expected<void> checkOutputs(const PassRow& pass, const ShaderInterface& interface,
+                            const std::string& shader) {
+  const std::string attempted = fmt::format("use the shader for the pass '{}'", pass.name);
+  for (std::size_t location = 0; location < pass.colour_formats.size(); ++location) {
+    const auto output = std::ranges::find(interface.outputs, location, &StageVariable::location);
+    if (output == interface.outputs.end()) {
+      return inputError(attempted, fmt::format("it has no output at location {}", location), shader,
+                        fmt::format("the pass needs {}", pass.colour_formats.size()));
+    }
+    const bool wants_integer = formatInfo(pass.colour_formats[location]).is_integer;
+    if (wants_integer == (output->type == ScalarType::kFloat)) {
+      return inputError(
+          attempted,
+          fmt::format("the output '{}' at location {} is {}", output->name, location,
+                      wants_integer ? "float where integers are stored" : "integer where floats are stored"),
+          shader);
+    }
+  }
+  return {};
+}
+
+Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
+                                                  const ShaderInterface& fragment,
+                                                  const std::string& shader) {
+  std::vector<UniformBlock> blocks = vertex.uniform_blocks;
+  blocks.insert(blocks.end(), fragment.uniform_blocks.begin(), fragment.uniform_blocks.end());
+  if (blocks.size() > 1) {
+    return inputError("use the shader", fmt::format("it has {} uniform blocks", blocks.size()), shader,
+                      "a pass has one, at binding 0");
+  }
+  return blocks.empty() ? std::nullopt : std::optional(blocks.front());
+}
+
+}  // namespace
+
+Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
+  const auto replacement = settings.replacements.find(pass.name);
+  const bool is_replaced = replacement != settings.replacements.end();
+  const std::string key = fmt::format("{}|{}|{}|{}", pass.name, settings.shader_root.string(),
+                                      is_replaced ? replacement->second.string() : "", settings.optimise);
+  const auto kept = kept_.find(key);
+  if (kept != kept_.end() && !is_replaced) {
+    return &kept->second;
+  }
+  auto made = make(pass, settings);
+  if (!made) {
+    return tl::make_unexpected(made.error());
+  }
+  return &kept_.insert_or_assign(key, std::move(*made)).first->second;
+}
+
+Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& settings) {
+  const auto replacement = settings.replacements.find(pass.name);
+  const std::filesystem::path fragment_file = replacement != settings.replacements.end()
+                                                  ? replacement->second
+                                                  : std::filesystem::path(pass.fragment_shader);
+  const CompileOptions options{.optimise = settings.optimise, .use_cache = true};
+  const auto vertex = compileShader({.root = settings.shader_root,
+                                     .entry = pass.vertex_shader,
+                                     .stage = ShaderStage::kVertex,
+                                     .defines = {}},
+                                    target_, options);
+  if (!vertex) {
+    return tl::make_unexpected(vertex.error());
+  }
+  const auto fragment = compileShader(
+      {.root = settings.shader_root, .entry = fragment_file, .stage = ShaderStage::kFragment, .defines = {}},
+      target_, options);
+  if (!fragment) {
+    return tl::make_unexpected(fragment.error());
+  }
+  const std::string shader = fragment_file.string();
+  if (const auto checked = checkOutputs(pass, fragment->interface, shader); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  auto block = singleBlock(vertex->interface, fragment->interface, shader);
+  if (!block) {
+    return tl::make_unexpected(block.error());
+  }
+  Program program{.shader = shader,
+                  .device_program = {},
+                  .samplers = vertex->interface.samplers,
+                  .uniform_block = *block};
+  program.samplers.insert(program.samplers.end(), fragment->interface.samplers.begin(),
+                          fragment->interface.samplers.end());
+  ProgramDesc desc{.name = pass.name,
+                   .vertex_spirv = vertex->spirv,
+                   .fragment_spirv = fragment->spirv,
+                   .spec_constants = {},
+                   .vertex_constant_ids = constantIds(vertex->interface),
+                   .fragment_constant_ids = constantIds(fragment->interface),
+                   .sampler_bindings = {},
+                   .uniform_bindings = {},
+                   .vertex_attributes = pass.vertex_attributes,
+                   .vertex_stride_bytes = pass.vertex_stride_bytes,
+                   .colour_formats = pass.colour_formats,
+                   .has_depth = pass.has_depth};
+  for (const SamplerBinding& sampler : program.samplers) {
+    desc.sampler_bindings.push_back(sampler.binding);
+  }
+  if (program.uniform_block) {
+    desc.uniform_bindings.push_back(program.uniform_block->binding);
+  }
+  auto device_program = device_.createProgram(desc);
+  if (!device_program) {
+    return tl::make_unexpected(device_program.error());
+  }
+  program.device_program = std::move(*device_program);
+  return program;
+}
+
+Expected<std::vector<SampledImage>> bindSamplers(const Program& program, const FrameImages& images,
+                                                 const std::map<std::string, SampledImage>& aliases) {
+  std::vector<SampledImage> bound;
+  for (const SamplerBinding& sampler : program.samplers) {
+    const auto alias = aliases.find(sampler.name);
+    SampledImage sampled = alias != aliases.end() ? alias->second : SampledImage{};
+    if (sampled.image == nullptr) {
+      sampled.image = images.find(sampler.name);
+    }
+    if (sampled.image == nullptr) {
+      return inputError("bind the shader's images", fmt::format("no image is called '{}'", sampler.name),
+                        program.shader, "the frame has " + joinNames(images.names()));
+    }
+    const bool wants_float = sampler.kind == SamplerKind::kFloat;
+    if (wants_float == formatInfo(sampled.image->desc().format).is_integer) {
+      return inputError("bind the shader's images",
+                        fmt::format("the sampler '{}' is of the wrong kind: the image holds {}", sampler.name,
+                                    wants_float ? "integers" : "floats"),
+                        program.shader);
+    }
+    sampled.binding = sampler.binding;
+    bound.push_back(sampled);
+  }
+  return bound;
+}
+
+Expected<PassTime> drawFullScreen(Device& device, const Program& program, const FullScreenPass& pass,
+                                  const FrameImages& images, const UniformValues& values) {
+  auto sampled = bindSamplers(program, images, pass.aliases);
+  if (!sampled) {
+    return tl::make_unexpected(sampled.error());
+  }
+  std::vector<std::byte> uniforms;
+  if (program.uniform_block) {
+    auto packed = values.pack(*program.uniform_block, program.shader);
+    if (!packed) {
+      return tl::make_unexpected(packed.error());
+    }
+    uniforms = std::move(*packed);
+  }
+  PassDesc desc{.name = pass.row->name,
+                .program = program.device_program.get(),
+                .sampled = std::move(*sampled),
+                .uniform_binding = program.uniform_block ? program.uniform_block->binding : 0,
+                .uniforms = uniforms,
+                .vertices = nullptr,
+                .colour = pass.targets,
+                .depth = std::nullopt,
+                .viewport = pass.viewport,
+                .draws = {DrawCall{}}};
+  return device.draw(desc);
+}
+
+}  // namespace ssrkit

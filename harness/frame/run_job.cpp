@@ -1,0 +1,261 @@
+#include "frame/run_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "base/text.h"
+#include "frame/gbuffer_source.h"
+#include "frame/image_transfer.h"
+#include "frame/tracing.h"
+#include "scene/load.h"
+
+namespace ssrkit {
+
+namespace {
+
+struct LoadedScene {
+  Scene scene;
+  SceneResources resources;
+};
+
+Expected<Camera> sceneCamera(const Scene& scene, const Job& job) {
+  std::vector<std::string> names;
+  for (const SceneCamera& camera : scene.cameras) {
+    if (job.camera_name.empty() || camera.name == job.camera_name) {
+      return cameraFor(camera, job.size);
+    }
+    names.push_back(camera.name);
+  }
+  return inputError(fmt::format("use the camera '{}'", job.camera_name), "the scene has no such camera",
+                    job.scene_file.string(), "its cameras are " + joinNames(names));
+}
+
+// A G-buffer made by others brings no lights: one from above and behind the camera, under the default sky.
+Scene defaultLight() {
+  Scene scene;
+  scene.directional_lights = {
+      {.direction_world = glm::normalize(glm::dvec3(-0.4, -0.8, -0.45)), .radiance = glm::vec3(3.0F)}};
+  return scene;
+}
+
+// What --replace may name: every pass, and a stage's name for its trace shaders.
+Expected<CompileSettings> compileSettings(const Job& job) {
+  CompileSettings settings{
+      .shader_root = job.shader_root, .replacements = {}, .optimise = job.optimise_spirv};
+  std::vector<std::string> names = {"gbuffer",        "light",   "pyramid_base",
+                                    "pyramid_reduce", "resolve", "composite"};
+  for (const Stage& stage : stages()) {
+    names.push_back(stage.name);
+    names.push_back(traceStep(stage.shader).row.name);
+    names.push_back(traceStep(stage.tuned_shader).row.name);
+  }
+  for (const ShaderReplacement& replacement : job.replacements) {
+    if (std::ranges::find(names, replacement.pass) == names.end()) {
+      const auto nearest = nearestName(replacement.pass, names);
+      return inputError(
+          fmt::format("replace the pass '{}'", replacement.pass), "there is no such pass", "",
+          nearest ? fmt::format("did you mean '{}'?", *nearest) : "the passes are " + joinNames(names));
+    }
+    const std::filesystem::path file = std::filesystem::absolute(replacement.file);
+    settings.replacements[replacement.pass] = file;
+    if (const auto stage = findStage(replacement.pass); stage) {
+      settings.replacements[traceStep((*stage)->shader).row.name] = file;
+      settings.replacements[traceStep((*stage)->tuned_shader).row.name] = file;
+    }
+  }
+  return settings;
+}
+
+}  // namespace
+
+struct JobRunner::Impl {
+  Device& device;
+  Programs programs;
+  std::map<std::string, LoadedScene> scenes;
+  std::optional<FrameImages> images;
+
+  [[nodiscard]] Expected<const LoadedScene*> loaded(const Job& job);
+  [[nodiscard]] Expected<void> frame(const Job& job, const CompileSettings& settings,
+                                     const Progress& progress, UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> drawScene(const Job& job, const CompileSettings& settings,
+                                         const Progress& progress, UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> traces(const Job& job, const CompileSettings& settings,
+                                      const Progress& progress, UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
+};
+
+JobRunner::JobRunner(Device& device, ShaderTarget target)
+    : impl_(std::make_unique<Impl>(Impl{device, Programs(device, target), {}, std::nullopt})) {}
+
+JobRunner::~JobRunner() = default;
+
+Expected<const LoadedScene*> JobRunner::Impl::loaded(const Job& job) {
+  const std::string key = job.scene_file.string() + "|" + job.mirror_material;
+  if (const auto found = scenes.find(key); found != scenes.end()) {
+    return &found->second;
+  }
+  auto scene = loadScene(job.scene_file, {.mirror_material = job.mirror_material});
+  if (!scene) {
+    return tl::make_unexpected(scene.error());
+  }
+  auto resources = uploadScene(device, *scene);
+  if (!resources) {
+    return tl::make_unexpected(resources.error());
+  }
+  // One scene at a time: jobs come scene by scene, and scenes may be large.
+  scenes.clear();
+  return &scenes.emplace(key, LoadedScene{std::move(*scene), std::move(*resources)}).first->second;
+}
+
+Expected<void> JobRunner::Impl::drawScene(const Job& job, const CompileSettings& settings,
+                                          const Progress& progress, UniformValues& values,
+                                          JobResult& result) {
+  progress("load " + job.scene_file.filename().string());
+  const auto scene = loaded(job);
+  if (!scene) {
+    return tl::make_unexpected(scene.error());
+  }
+  const auto camera = sceneCamera((*scene)->scene, job);
+  if (!camera) {
+    return tl::make_unexpected(camera.error());
+  }
+  result.camera = *camera;
+  result.notes = (*scene)->scene.notes;
+  setCameraUniforms(values, result.camera);
+  setLightUniforms(values, (*scene)->scene, result.camera.view_from_world);
+  progress("compile gbuffer");
+  const auto program = programs.get(gbufferPass(), settings);
+  if (!program) {
+    return tl::make_unexpected(program.error());
+  }
+  progress("draw gbuffer");
+  const int rounds = 1 + (job.timing.rounds > 0 ? std::min(job.timing.rounds, 3) : 0);
+  PassReport report{.pass = "gbuffer", .cold = {}, .steady = {}};
+  for (int round = 0; round < rounds; ++round) {
+    const auto time = drawGbuffer(device, **program, (*scene)->scene, (*scene)->resources, *images, values);
+    if (!time) {
+      return tl::make_unexpected(time.error());
+    }
+    if (round == 0) {
+      report.cold = *time;
+    } else {
+      report.steady.push_back(*time);
+    }
+  }
+  result.frame_passes.push_back(std::move(report));
+  return {};
+}
+
+Expected<void> JobRunner::Impl::frame(const Job& job, const CompileSettings& settings,
+                                      const Progress& progress, UniformValues& values, JobResult& result) {
+  if (job.gbuffer_camera) {
+    progress("upload gbuffer");
+    result.camera = *job.gbuffer_camera;
+    setCameraUniforms(values, result.camera);
+    setLightUniforms(values, defaultLight(), result.camera.view_from_world);
+    if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
+      return uploaded;
+    }
+  } else if (const auto drawn = drawScene(job, settings, progress, values, result); !drawn) {
+    return drawn;
+  }
+  const auto lit = job.gbuffer.find("lit");
+  if (lit != job.gbuffer.end()) {
+    const auto image = images->get("lit");
+    return image ? uploadImage(device, **image, lit->second, {0, 0, 0, 1})
+                 : tl::make_unexpected(image.error());
+  }
+  progress("compile light");
+  const auto program = programs.get(lightStep().row, settings);
+  if (!program) {
+    return tl::make_unexpected(program.error());
+  }
+  progress("draw light");
+  const auto time = drawStep(device, **program, lightStep(), *images, values);
+  if (!time) {
+    return tl::make_unexpected(time.error());
+  }
+  result.frame_passes.push_back({.pass = "light", .cold = *time, .steady = {}});
+  return {};
+}
+
+Expected<void> JobRunner::Impl::traces(const Job& job, const CompileSettings& settings,
+                                       const Progress& progress, UniformValues& values, JobResult& result) {
+  std::vector<Tracing> tracings;
+  for (const TraceRequest& request : job.traces) {
+    auto tracing = Tracing::prepare(programs, settings, request, job.size, progress);
+    if (!tracing) {
+      return tl::make_unexpected(tracing.error());
+    }
+    tracings.push_back(std::move(*tracing));
+  }
+  for (int round = 0; round <= job.timing.rounds; ++round) {
+    for (Tracing& tracing : tracings) {
+      if (const auto drawn = tracing.draw(device, *images, values, progress); !drawn) {
+        return drawn;
+      }
+      if (round == job.timing.rounds) {
+        progress("read back");
+        auto read = tracing.read(device, *images);
+        if (!read) {
+          return tl::make_unexpected(read.error());
+        }
+        result.traces.push_back(std::move(*read));
+      }
+    }
+  }
+  return {};
+}
+
+Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {
+  if (!job.want_gbuffer) {
+    return {};
+  }
+  for (const std::string name :
+       {"albedo", "normal_view", "material", "emission", "dist_view", "depth_window", "lit"}) {
+    const DeviceImage* image = images->find(name);
+    if (image == nullptr || (name == "depth_window" && job.gbuffer_camera)) {
+      continue;
+    }
+    auto read = readImage(device, *image, frameImageRow(name).channels);
+    if (!read) {
+      return tl::make_unexpected(read.error());
+    }
+    result.images.emplace(name, std::move(*read));
+  }
+  return {};
+}
+
+Expected<JobResult> JobRunner::run(const Job& job, const Progress& progress) {
+  Impl& impl = *impl_;
+  const auto settings = compileSettings(job);
+  if (!settings) {
+    return tl::make_unexpected(settings.error());
+  }
+  if (!impl.images || impl.images->size() != job.size) {
+    impl.images.reset();
+    impl.images.emplace(impl.device, job.size);
+  }
+  JobResult result;
+  UniformValues values;
+  auto done = impl.frame(job, *settings, progress, values, result);
+  if (done) {
+    done = impl.traces(job, *settings, progress, values, result);
+  }
+  if (done) {
+    done = impl.readFrame(job, result);
+  }
+  result.messages = impl.device.drainMessages();
+  if (!done) {
+    Error error = done.error();
+    error.reasons.insert(error.reasons.end(), result.messages.begin(), result.messages.end());
+    return tl::make_unexpected(std::move(error));
+  }
+  return result;
+}
+
+}  // namespace ssrkit
