@@ -1,13 +1,13 @@
-// Every Vulkan function that the kit calls, named once. Tables of pointers are made from these lists; nothing is
-// linked, so a machine without a Vulkan loader can still run the other devices.
+// Every Vulkan function that the kit calls, named once. Tables of pointers are made from these lists; nothing
+// is linked, so a machine without a Vulkan loader can still run the other devices.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
 
-#define SSRKIT_VULKAN_GLOBAL_FUNCTIONS(X)   \
-  X(vkCreateInstance)                       \
-  X(vkEnumerateInstanceVersion)             \
-  X(vkEnumerateInstanceLayerProperties)     \
+#define SSRKIT_VULKAN_GLOBAL_FUNCTIONS(X) \
+  X(vkCreateInstance)                     \
+  X(vkEnumerateInstanceVersion)           \
+  X(vkEnumerateInstanceLayerProperties)   \
   X(vkEnumerateInstanceExtensionProperties)
 
 #define SSRKIT_VULKAN_INSTANCE_FUNCTIONS(X)   \

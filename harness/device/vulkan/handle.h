@@ -26,7 +26,9 @@ class Handle {
   Handle(VkDevice device, T object, DestroyFunction<T> destroy)
       : device_(device), object_(object), destroy_(destroy) {}
   Handle(Handle&& other) noexcept
-      : device_(other.device_), object_(std::exchange(other.object_, VK_NULL_HANDLE)), destroy_(other.destroy_) {}
+      : device_(other.device_),
+        object_(std::exchange(other.object_, VK_NULL_HANDLE)),
+        destroy_(other.destroy_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(object_, other.object_);

@@ -53,7 +53,8 @@ Expected<std::unique_ptr<Instance>> Instance::create(Library library, bool valid
   std::unique_ptr<Instance> instance(new Instance(std::move(library)));
   const GlobalFunctions& functions = instance->library_.functions();
   if (validate && !hasLayer(functions, kValidationLayer)) {
-    return setupError(kAttempted, fmt::format("SSRKIT_VALIDATION=1, but {} is not installed", kValidationLayer), {},
+    return setupError(kAttempted,
+                      fmt::format("SSRKIT_VALIDATION=1, but {} is not installed", kValidationLayer), {},
                       "install the Debian package vulkan-validationlayers or unset SSRKIT_VALIDATION");
   }
   instance->validates_ = validate;
@@ -103,13 +104,14 @@ Expected<void> Instance::createInstance() {
 }
 
 Expected<void> Instance::loadFunctions() {
-  const PFN_vkGetInstanceProcAddr get = library_.getInstanceProcAddr();
-#define SSRKIT_LOAD_OPTIONAL(name) functions_.name = reinterpret_cast<PFN_##name>(get(instance_, #name));
-#define SSRKIT_LOAD(name)                                                       \
-  SSRKIT_LOAD_OPTIONAL(name)                                                    \
-  if (functions_.name == nullptr) {                                             \
-    return setupError(kAttempted, "the loader has no " #name, {},               \
-                      "update the Vulkan loader (Debian: libvulkan1)");         \
+  const PFN_vkGetInstanceProcAddr address_of = library_.getInstanceProcAddr();
+#define SSRKIT_LOAD_OPTIONAL(name) \
+  functions_.name = reinterpret_cast<PFN_##name>(address_of(instance_, #name));
+#define SSRKIT_LOAD(name)                                               \
+  SSRKIT_LOAD_OPTIONAL(name)                                            \
+  if (functions_.name == nullptr) {                                     \
+    return setupError(kAttempted, "the loader has no " #name, {},       \
+                      "update the Vulkan loader (Debian: libvulkan1)"); \
   }
   SSRKIT_VULKAN_INSTANCE_FUNCTIONS(SSRKIT_LOAD)
   SSRKIT_VULKAN_DEBUG_FUNCTIONS(SSRKIT_LOAD_OPTIONAL)

@@ -12,8 +12,8 @@ namespace ssrkit::vulkan {
 
 class Instance {
  public:
-  // `validate` asks for the Khronos validation layer, core and synchronization checks; it is an error (kSetup) when
-  // the layer is not installed, because a run that was asked to validate must not pass without.
+  // `validate` asks for the Khronos validation layer, core and synchronization checks; it is an error
+  // (kSetup) when the layer is not installed, because a run that was asked to validate must not pass without.
   [[nodiscard]] static Expected<std::unique_ptr<Instance>> create(Library library, bool validate);
   // Messages that nobody drained (objects still alive when the device went) are printed to stderr.
   ~Instance();

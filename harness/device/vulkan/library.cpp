@@ -8,7 +8,9 @@
 
 namespace ssrkit::vulkan {
 
-void Library::Close::operator()(void* library) const { ::dlclose(library); }
+void Library::Close::operator()(void* library) const {
+  ::dlclose(library);
+}
 
 Expected<Library> Library::open(const char* file_name) {
   std::string attempted = fmt::format("open the Vulkan loader {}", file_name);
@@ -24,10 +26,10 @@ Expected<Library> Library::open(const char* file_name) {
   if (result.get_instance_proc_addr_ == nullptr) {
     return setupError(std::move(attempted), "it has no vkGetInstanceProcAddr", {}, kRemedy);
   }
-#define SSRKIT_LOAD(name)                                                                                     \
-  result.functions_.name = reinterpret_cast<PFN_##name>(result.get_instance_proc_addr_(nullptr, #name));      \
-  if (result.functions_.name == nullptr) {                                                                    \
-    return setupError(std::move(attempted), "it has no " #name " (a loader of Vulkan 1.0?)", {}, kRemedy);    \
+#define SSRKIT_LOAD(name)                                                                                  \
+  result.functions_.name = reinterpret_cast<PFN_##name>(result.get_instance_proc_addr_(nullptr, #name));   \
+  if (result.functions_.name == nullptr) {                                                                 \
+    return setupError(std::move(attempted), "it has no " #name " (a loader of Vulkan 1.0?)", {}, kRemedy); \
   }
   SSRKIT_VULKAN_GLOBAL_FUNCTIONS(SSRKIT_LOAD)
 #undef SSRKIT_LOAD

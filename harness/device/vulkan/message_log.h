@@ -10,8 +10,8 @@
 
 namespace ssrkit::vulkan {
 
-// Filled by a debug messenger, from any thread. Warnings and errors are kept; pure performance warnings are not,
-// because they say nothing about the result.
+// Filled by a debug messenger, from any thread. Warnings and errors are kept; pure performance warnings are
+// not, because they say nothing about the result.
 class MessageLog {
  public:
   // The messenger that fills this log, which must outlive it.

@@ -15,7 +15,8 @@ namespace ssrkit::vulkan {
 [[nodiscard]] std::string resultName(VkResult result);
 
 // "could not ATTEMPTED: FUNCTION returned VK_ERROR_...", with a remedy where the code suggests one.
-[[nodiscard]] tl::unexpected<Error> resultError(std::string attempted, std::string_view function, VkResult result);
+[[nodiscard]] tl::unexpected<Error> resultError(std::string attempted, std::string_view function,
+                                                VkResult result);
 
 // Hands the error of one Expected to another.
 template <class T>
