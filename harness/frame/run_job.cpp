@@ -94,11 +94,13 @@ JobRunner::JobRunner(Device& device, ShaderTarget target)
 JobRunner::~JobRunner() = default;
 
 Expected<const LoadedScene*> JobRunner::Impl::loaded(const Job& job) {
-  const std::string key = job.scene_file.string() + "|" + job.mirror_material;
+  const std::string key =
+      fmt::format("{}|{}|{}", job.scene_file.string(), job.mirror_material, job.camera_name);
   if (const auto found = scenes.find(key); found != scenes.end()) {
     return &found->second;
   }
-  auto scene = loadScene(job.scene_file, {.mirror_material = job.mirror_material});
+  auto scene =
+      loadScene(job.scene_file, {.mirror_material = job.mirror_material, .camera_name = job.camera_name});
   if (!scene) {
     return tl::make_unexpected(scene.error());
   }

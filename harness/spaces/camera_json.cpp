@@ -1,0 +1,121 @@
+#include "spaces/camera_json.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace ssrkit {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kSchema = "ssrkit.camera";
+constexpr int kVersion = 1;
+
+ordered_json rowsOf(const glm::dmat4& matrix) {
+  ordered_json rows = ordered_json::array();
+  for (int row = 0; row < 4; ++row) {
+    ordered_json values = ordered_json::array();
+    for (int column = 0; column < 4; ++column) {
+      values.push_back(matrix[column][row]);
+    }
+    rows.push_back(values);
+  }
+  return rows;
+}
+
+// What is wrong with the value, or nothing.
+std::string readMatrix(const ordered_json& json, const char* key, glm::dmat4& matrix) {
+  const auto rows = json.find(key);
+  if (rows == json.end() || !rows->is_array() || rows->size() != 4) {
+    return fmt::format("'{}' must be 4 rows of 4 numbers", key);
+  }
+  for (int row = 0; row < 4; ++row) {
+    const ordered_json& values = (*rows)[static_cast<std::size_t>(row)];
+    if (!values.is_array() || values.size() != 4) {
+      return fmt::format("row {} of '{}' must be 4 numbers", row, key);
+    }
+    for (int column = 0; column < 4; ++column) {
+      const ordered_json& value = values[static_cast<std::size_t>(column)];
+      if (!value.is_number()) {
+        return fmt::format("row {}, column {} of '{}' is not a number", row, column, key);
+      }
+      matrix[column][row] = value.get<double>();
+    }
+  }
+  return {};
+}
+
+std::string readNumber(const ordered_json& json, const char* key, double& number) {
+  const auto value = json.find(key);
+  if (value == json.end() || !value->is_number()) {
+    return fmt::format("'{}' must be a number", key);
+  }
+  number = value->get<double>();
+  return {};
+}
+
+std::string readSize(const ordered_json& json, Size& size) {
+  const auto value = json.find("size");
+  if (value == json.end() || !value->is_array() || value->size() != 2 || !(*value)[0].is_number_integer() ||
+      !(*value)[1].is_number_integer()) {
+    return "'size' must be two whole numbers, width and height";
+  }
+  // Out of an int's range is out of every image's range: 0 is refused with the right words by validate().
+  const auto whole = [](const ordered_json& side) {
+    const auto number = side.get<std::int64_t>();
+    return number < 0 || number > 1'000'000 ? 0 : static_cast<int>(number);
+  };
+  size = {whole((*value)[0]), whole((*value)[1])};
+  return {};
+}
+
+}  // namespace
+
+std::string toJson(const Camera& camera) {
+  ordered_json json;
+  json["schema"] = kSchema;
+  json["version"] = kVersion;
+  json["size"] = {camera.size.width, camera.size.height};
+  json["clip_from_view"] = rowsOf(camera.clip_from_view);
+  json["view_from_world"] = rowsOf(camera.view_from_world);
+  json["near_m"] = camera.near_m;
+  json["far_m"] = camera.far_m;
+  json["conventions"] = {{"matrices", "row-major, p_clip = clip_from_view * view_from_world * p_world"},
+                         {"view", "+x right, +y up, looking along -z, metres"},
+                         {"ndc_z", "0 at near_m, 1 at far_m"},
+                         {"pixels", "origin upper left, +y down, texel centres at .5"}};
+  return json.dump(2) + "\n";
+}
+
+Expected<Camera> cameraFromJson(std::string_view text, const std::string& where) {
+  const std::string attempted = "read the camera";
+  ordered_json json;
+  try {
+    json = ordered_json::parse(text);
+  } catch (const ordered_json::parse_error& error) {
+    return inputError(attempted, error.what(), where);
+  }
+  if (!json.is_object() || json.value("schema", "") != kSchema) {
+    return inputError(attempted, fmt::format("the file does not say \"schema\": \"{}\"", kSchema), where,
+                      "see docs/formats.md");
+  }
+  Camera camera;
+  for (const std::string& problem :
+       {readSize(json, camera.size), readMatrix(json, "clip_from_view", camera.clip_from_view),
+        readMatrix(json, "view_from_world", camera.view_from_world),
+        readNumber(json, "near_m", camera.near_m), readNumber(json, "far_m", camera.far_m)}) {
+    if (!problem.empty()) {
+      return inputError(attempted, problem, where, "see docs/formats.md");
+    }
+  }
+  if (const auto valid = validate(camera, attempted); !valid) {
+    Error error = valid.error();
+    error.where = where;
+    return tl::make_unexpected(std::move(error));
+  }
+  return camera;
+}
+
+}  // namespace ssrkit
