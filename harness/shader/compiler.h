@@ -13,14 +13,14 @@
 namespace ssrkit {
 
 enum class ShaderTarget {
-  kOpenGl,   // GL_ARB_gl_spirv: OpenGL 4.5, SPIR-V 1.0; GL_SPIRV is defined
-  kVulkan,   // Vulkan 1.1, SPIR-V 1.3; VULKAN is defined
+  kOpenGl,  // GL_ARB_gl_spirv: OpenGL 4.5, SPIR-V 1.0; GL_SPIRV is defined
+  kVulkan,  // Vulkan 1.1, SPIR-V 1.3; VULKAN is defined
 };
 
 enum class ShaderStage { kVertex, kFragment };  // by the file's extension: .vert, .frag; or named
 
-// What is compiled. Includes are looked up beside the including file and then in `root`/include, never outside
-// `root` (nor outside the entry file's own folder, for a file that somebody put in a pass's place).
+// What is compiled. Includes are looked up beside the including file and then in `root`/include, never
+// outside `root` (nor outside the entry file's own folder, for a file that somebody put in a pass's place).
 struct ShaderSource {
   std::filesystem::path root;   // the shaders folder
   std::filesystem::path entry;  // relative to root, or absolute for a file of the user's own
@@ -36,12 +36,16 @@ struct ShaderModule {
 };
 
 struct CompileOptions {
-  bool optimise = false;   // spirv-opt -O
+  bool optimise = false;  // spirv-opt -O
   bool use_cache = true;
 };
 
-// Compiles, validates for the target's environment (spirv-val) and reflects. Errors name the author's file, line and
-// column, the first error first, all of them in `reasons`. A loop that no path leaves is an error too.
+// By the extension: .vert or .frag, or either before .glsl (a.frag.glsl).
+[[nodiscard]] Expected<ShaderStage> stageOfFile(const std::filesystem::path& path);
+
+// Compiles, validates for the target's environment (spirv-val) and reflects. Errors name the author's file,
+// line and column, the first error first, all of them in `reasons`. A loop that no path leaves is an error
+// too.
 [[nodiscard]] Expected<ShaderModule> compileShader(const ShaderSource& source, ShaderTarget target,
                                                    const CompileOptions& options = {});
 

@@ -21,10 +21,10 @@ struct BlockMember {
   std::string name;
   ScalarType type = ScalarType::kFloat;
   std::uint32_t offset_bytes = 0;
-  std::uint32_t rows = 1;          // vector size, or rows of a matrix
-  std::uint32_t columns = 1;       // > 1: a column-major matrix with matrix_stride_bytes between columns
+  std::uint32_t rows = 1;     // vector size, or rows of a matrix
+  std::uint32_t columns = 1;  // > 1: a column-major matrix with matrix_stride_bytes between columns
   std::uint32_t matrix_stride_bytes = 0;
-  std::uint32_t array_count = 0;   // 0: no array
+  std::uint32_t array_count = 0;  // 0: no array
   std::uint32_t array_stride_bytes = 0;
 };
 

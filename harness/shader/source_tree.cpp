@@ -19,11 +19,13 @@ namespace fs = std::filesystem;
 Expected<std::string> readText(const fs::path& path) {
   std::error_code code;
   if (const std::uintmax_t size = fs::file_size(path, code); !code && size > kSourceLimitBytes) {
-    return inputError("", fmt::format("it has {} bytes, more than the {} that a shader may have", size,
-                                      kSourceLimitBytes));
+    return inputError(
+        "", fmt::format("it has {} bytes, more than the {} that a shader may have", size, kSourceLimitBytes));
   }
   return readFile(path, kSourceLimitBytes).and_then(normaliseText);
 }
+
+constexpr int kIncludeLimit = 1000;
 
 class Reader {
  public:
@@ -48,6 +50,10 @@ class Reader {
  private:
   [[nodiscard]] IncludeEdge follow(IncludeLine include, const fs::path& folder) {
     IncludeEdge edge{std::move(include.name), include.line, std::nullopt, {}};
+    if (++include_count_ > kIncludeLimit) {
+      edge.refusal = fmt::format("there are more than {} includes in all", kIncludeLimit);
+      return edge;
+    }
     const Expected<fs::path> path = root_.resolve(edge.name, folder);
     if (!path) {
       edge.refusal = path.error().problem;
@@ -73,7 +79,8 @@ class Reader {
       return tl::make_unexpected(text.error());
     }
     if (total_bytes_ + text->size() > kSourceLimitBytes) {
-      return inputError("", fmt::format("with its includes the shader has more than {} bytes", kSourceLimitBytes));
+      return inputError(
+          "", fmt::format("with its includes the shader has more than {} bytes", kSourceLimitBytes));
     }
     total_bytes_ += text->size();
     tree_.files.push_back({path, shownPath(path), std::move(*text), {}});
@@ -83,6 +90,7 @@ class Reader {
   const VirtualRoot& root_;
   SourceTree tree_;
   std::size_t total_bytes_ = 0;
+  int include_count_ = 0;
 };
 
 bool isBlankText(const std::string& text) {

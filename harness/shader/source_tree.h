@@ -12,7 +12,8 @@
 
 namespace ssrkit {
 
-// One #include directive. A refusal is an error only when the compiler comes by it: it may stand inside `#if 0`.
+// One #include directive. A refusal is an error only when the compiler comes by it: it may stand inside `#if
+// 0`.
 struct IncludeEdge {
   std::string name;
   int line = 0;
@@ -31,7 +32,8 @@ struct SourceTree {
   std::vector<SourceFile> files;  // entry first
 };
 
-// Reads the entry and follows its includes by the rules of ShaderSource. `attempted` is for the error's words.
+// Reads the entry and follows its includes by the rules of ShaderSource. `attempted` is for the error's
+// words.
 [[nodiscard]] Expected<SourceTree> readSourceTree(const ShaderSource& source, const std::string& attempted);
 
 // The path under the current folder when it lies there, else the path as it is.

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kNameLimitBytes = 255;
+
 bool climbs(const fs::path& path) {
   return std::any_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
@@ -79,7 +81,8 @@ Expected<void> VirtualRoot::openEntry(const ShaderSource& source, const std::str
     return {};
   }
   if (roots_.empty() || source.entry.empty() || climbs(source.entry)) {
-    return inputError(attempted, fmt::format("'{}' is no path inside the shader folder", source.entry.string()));
+    return inputError(attempted,
+                      fmt::format("'{}' is no path inside the shader folder", source.entry.string()));
   }
   const fs::path path = roots_.front() / source.entry;
   const std::string why = whyNotAFile(path);
@@ -117,6 +120,9 @@ Expected<fs::path> VirtualRoot::resolve(const std::string& name, const fs::path&
   const fs::path relative(name);
   if (relative.empty()) {
     return inputError("", "the name is empty");
+  }
+  if (name.size() > kNameLimitBytes) {
+    return inputError("", fmt::format("the name is longer than {} bytes", kNameLimitBytes));
   }
   if (relative.is_absolute()) {
     return inputError("", fmt::format("'{}' is an absolute path; name a file relative to this one", name));

@@ -1,0 +1,49 @@
+#include "command/compile.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+#include "command/compile_report.h"
+
+namespace ssrkit {
+
+namespace {
+
+CompileResult compileFor(const ShaderSource& source, ShaderTarget target, bool optimise) {
+  const auto start = std::chrono::steady_clock::now();
+  Expected<ShaderModule> module = compileShader(source, target, {.optimise = optimise});
+  const auto time = std::chrono::steady_clock::now() - start;
+  return {target, std::move(module), std::chrono::duration_cast<std::chrono::nanoseconds>(time).count()};
+}
+
+}  // namespace
+
+Expected<int> compileCommand(const CompileCommandOptions& options) {
+  std::error_code code;
+  if (!std::filesystem::exists(options.file, code)) {
+    return inputError(fmt::format("compile '{}'", options.file.string()), "there is no such file");
+  }
+  const Expected<ShaderStage> stage = stageOfFile(options.file);
+  if (!stage) {
+    return tl::make_unexpected(stage.error());
+  }
+  const ShaderSource source{options.shader_root, std::filesystem::absolute(options.file), *stage, {}};
+  std::vector<CompileResult> results;
+  for (const ShaderTarget target : {ShaderTarget::kOpenGl, ShaderTarget::kVulkan}) {
+    results.push_back(compileFor(source, target, options.optimise));
+  }
+  const std::string file = options.file.string();
+  fmt::print("{}", options.json ? compileReportJson(file, results)
+                                : compileReportText(file, results, options.use_colour));
+  for (const CompileResult& result : results) {
+    if (!result.module) {
+      return exitCode(result.module.error());
+    }
+  }
+  return 0;
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,70 @@
+#include "shader/spirv_tools.h"
+
+#include <fmt/format.h>
+
+#include <spirv-tools/libspirv.hpp>
+#include <spirv-tools/optimizer.hpp>
+
+#include <utility>
+
+namespace ssrkit {
+
+namespace {
+
+spv_target_env environmentOf(ShaderTarget target) {
+  return target == ShaderTarget::kVulkan ? SPV_ENV_VULKAN_1_1 : SPV_ENV_OPENGL_4_5;
+}
+
+spvtools::MessageConsumer collectInto(std::vector<std::string>& messages) {
+  return [&messages](spv_message_level_t level, const char*, const spv_position_t&, const char* message) {
+    if (level <= SPV_MSG_ERROR) {
+      messages.emplace_back(message);
+    }
+  };
+}
+
+tl::unexpected<Error> refused(std::string problem, std::vector<std::string> reasons, const std::string& where,
+                              const std::string& attempted) {
+  tl::unexpected<Error> error = inputError(attempted, std::move(problem), where);
+  error.value().reasons = std::move(reasons);
+  return error;
+}
+
+}  // namespace
+
+Expected<void> validateSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarget target,
+                             const std::string& where, const std::string& attempted) {
+  std::vector<std::string> messages;
+  spvtools::SpirvTools tools(environmentOf(target));
+  tools.SetMessageConsumer(collectInto(messages));
+  if (tools.Validate(spirv)) {
+    return {};
+  }
+  const std::string first = messages.empty() ? "no reason given" : messages.front();
+  return refused(fmt::format("the SPIR-V is not legal there: {}", first), std::move(messages), where,
+                 attempted);
+}
+
+Expected<std::vector<std::uint32_t>> optimiseSpirv(const std::vector<std::uint32_t>& spirv,
+                                                   ShaderTarget target, const std::string& where,
+                                                   const std::string& attempted) {
+  std::vector<std::string> messages;
+  spvtools::Optimizer optimiser(environmentOf(target));
+  optimiser.SetMessageConsumer(collectInto(messages));
+  optimiser.RegisterPerformancePasses();
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);  // validated before and after
+  options.set_preserve_bindings(true);
+  options.set_preserve_spec_constants(true);
+  std::vector<std::uint32_t> optimised;
+  if (optimiser.Run(spirv.data(), spirv.size(), &optimised, options)) {
+    return optimised;
+  }
+  return refused("the SPIR-V optimiser failed on it", std::move(messages), where, attempted);
+}
+
+std::string spirvToolsVersion() {
+  return fmt::format("SPIRV-Tools {}", spvSoftwareVersionString());
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,26 @@
+// SPIRV-Tools: is the module legal for its API, and the optimiser.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "shader/compiler.h"
+
+namespace ssrkit {
+
+// `where` is the entry file, for the error.
+[[nodiscard]] Expected<void> validateSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarget target,
+                                           const std::string& where, const std::string& attempted);
+
+// spirv-opt -O. Bindings and specialisation constants that nothing uses stay declared.
+[[nodiscard]] Expected<std::vector<std::uint32_t>> optimiseSpirv(const std::vector<std::uint32_t>& spirv,
+                                                                 ShaderTarget target,
+                                                                 const std::string& where,
+                                                                 const std::string& attempted);
+
+// "SPIRV-Tools v2023.1"
+[[nodiscard]] std::string spirvToolsVersion();
+
+}  // namespace ssrkit
