@@ -1,6 +1,7 @@
-// Packs structs into a payload and back. Each struct lists its fields once, in an overload of `fields(archive, value)`
-// that serves both ways, so that the two cannot drift apart. Both ends are the same program: values travel as they lie
-// in memory, which keeps every bit of a number, and the bytes of a name whatever its encoding.
+// Packs structs into a payload and back. Each struct lists its fields once, in an overload of
+// `fields(archive, value)` that serves both ways, so that the two cannot drift apart. Both ends are the same
+// program: values travel as they lie in memory, which keeps every bit of a number, and the bytes of a name
+// whatever its encoding.
 #pragma once
 
 #include <cstring>
@@ -76,17 +77,15 @@ class Packer {
     }
   }
   template <class T>
-    requires std::is_class_v<T>
-  void add(const T& value) {
-    fields(*this, value);
-  }
+  requires std::is_class_v<T>
+  void add(const T& value) { fields(*this, value); }
 
   std::string header_;
   std::vector<std::span<const std::byte>> bulk_;
 };
 
-// Reads what a Packer wrote. It trusts no count and no size: on the first that does not fit, `failed` is set and every
-// later value keeps its default.
+// Reads what a Packer wrote. It trusts no count and no size: on the first that does not fit, `failed` is set
+// and every later value keeps its default.
 class Unpacker {
  public:
   explicit Unpacker(const Payload& payload) : payload_(payload) {
@@ -136,7 +135,8 @@ class Unpacker {
     take(count);
     return count;
   }
-  // Of things that take a byte of the header or more: a count that cannot be true is refused before memory is taken.
+  // Of things that take a byte of the header or more: a count that cannot be true is refused before memory is
+  // taken.
   std::uint64_t takeElementCount() {
     const std::uint64_t count = takeCount();
     require(count <= header_.size() - header_offset_);
@@ -191,10 +191,8 @@ class Unpacker {
     }
   }
   template <class T>
-    requires std::is_class_v<T>
-  void take(T& value) {
-    fields(*this, value);
-  }
+  requires std::is_class_v<T>
+  void take(T& value) { fields(*this, value); }
 
   const Payload& payload_;
   std::string header_;

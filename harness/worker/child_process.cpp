@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
@@ -24,22 +23,6 @@ tl::unexpected<Error> cannotStart(const ChildCommand& command, const std::string
   return setupError("start a worker process", command.executable.string() + ": " + problem);
 }
 
-// Waits for the child to become a zombie, which leaves its number taken.
-bool waitForEnd(pid_t pid, std::chrono::milliseconds grace) {
-  const auto deadline = std::chrono::steady_clock::now() + grace;
-  while (true) {
-    siginfo_t info = {};
-    const int result = ::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT);
-    if ((result == 0 && info.si_pid == pid) || (result < 0 && errno == ECHILD)) {
-      return true;
-    }
-    if (std::chrono::steady_clock::now() >= deadline) {
-      return false;
-    }
-    ::poll(nullptr, 0, 1);
-  }
-}
-
 ChildEnd collect(pid_t pid) {
   int status = 0;
   pid_t result = 0;
@@ -47,10 +30,9 @@ ChildEnd collect(pid_t pid) {
     result = ::waitpid(pid, &status, 0);
   } while (result < 0 && errno == EINTR);
   ChildEnd end;
-  end.known = result == pid;
-  if (end.known && WIFSIGNALED(status)) {
+  if (result == pid && WIFSIGNALED(status)) {
     end.signal = WTERMSIG(status);
-  } else if (end.known && WIFEXITED(status)) {
+  } else if (result == pid && WIFEXITED(status)) {
     end.exit_code = WEXITSTATUS(status);
   }
   return end;
@@ -98,11 +80,8 @@ ChildProcess::~ChildProcess() {
 
 bool ChildProcess::drainStderr() {
   std::array<char, 65536> buffer;
-  while (true) {
+  for (int round = 0; round < 16; ++round) {
     const ssize_t count = ::read(stderr_pipe_.get(), buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) {
-      continue;
-    }
     if (count <= 0) {
       return count < 0;
     }
@@ -111,16 +90,35 @@ bool ChildProcess::drainStderr() {
       stderr_tail_.erase(0, stderr_tail_.size() - kStderrTailBytes);
     }
   }
+  return true;
+}
+
+// Waits for the child to become a zombie, which leaves its number taken.
+bool ChildProcess::waitForEnd(std::chrono::milliseconds grace) {
+  const auto deadline = std::chrono::steady_clock::now() + grace;
+  while (true) {
+    siginfo_t info = {};
+    const int result = ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
+    if ((result == 0 && info.si_pid == pid_) || (result < 0 && errno == ECHILD)) {
+      return true;
+    }
+    if (std::chrono::steady_clock::now() >= deadline) {
+      return false;
+    }
+    drainStderr();  // a child that cannot write cannot end
+    ::poll(nullptr, 0, 1);
+  }
 }
 
 ChildEnd ChildProcess::end(std::chrono::milliseconds grace) {
   socket_.reset();
-  waitForEnd(pid_, grace);
-  // Also when it has ended by itself: what it may have started shares its group.
-  ::kill(-pid_, SIGKILL);
-  drainStderr();
+  const bool ended = waitForEnd(grace);
+  ::kill(-pid_, SIGKILL);  // also when it has ended: what it may have started shares its group
   forgetWorker(pid_);
-  return collect(std::exchange(pid_, 0));
+  ChildEnd how = collect(std::exchange(pid_, 0));
+  drainStderr();
+  how.was_killed = !ended;
+  return how;
 }
 
 }  // namespace ssrkit

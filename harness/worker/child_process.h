@@ -16,19 +16,19 @@ namespace ssrkit {
 
 struct ChildCommand {
   std::filesystem::path executable;
-  std::vector<std::string> arguments;                             // argv[1] onwards
+  std::vector<std::string> arguments;                            // argv[1] onwards
   std::vector<std::pair<std::string, std::string>> environment;  // set over this process's own
 };
 
-// How a process ended. `known` is false when somebody else took its status (SIGCHLD ignored by our parent).
+// How a process ended.
 struct ChildEnd {
-  bool known = false;
-  int signal = 0;
-  int exit_code = 0;
+  bool was_killed = false;  // by us, after the grace
+  int signal = 0;           // 0: it exited, or somebody else took its status (SIGCHLD ignored by our parent)
+  int exit_code = -1;       // -1: not known
 };
 
-// Leads a process group of its own; stdin and stdout are /dev/null, descriptor 3 is the other end of `socket`, and no
-// other descriptor of ours is open in it.
+// Leads a process group of its own; stdin and stdout are /dev/null, descriptor 3 is the other end of
+// `socket`, and no other descriptor of ours is open in it.
 class ChildProcess {
  public:
   [[nodiscard]] static Expected<ChildProcess> start(const ChildCommand& command);
@@ -40,17 +40,19 @@ class ChildProcess {
   [[nodiscard]] int socket() const { return socket_.get(); }
   [[nodiscard]] int stderrPipe() const { return stderr_pipe_.get(); }
 
-  // Reads what the child has written to stderr so far, without waiting; the last 64 KiB are kept. False once the child
-  // has closed it.
+  // Reads what the child has written to stderr, without waiting and at most 1 MiB, so that one that never
+  // stops cannot hold the caller. The last 64 KiB are kept. False once the child has closed it.
   bool drainStderr();
   [[nodiscard]] const std::string& stderrTail() const { return stderr_tail_; }
   void clearStderrTail() { stderr_tail_.clear(); }
 
-  // Closes the socket, waits up to `grace` for the child to end by itself, then kills its group and collects it.
+  // Closes the socket, waits up to `grace` for the child to end by itself, then kills its group and collects
+  // it.
   ChildEnd end(std::chrono::milliseconds grace);
 
  private:
   ChildProcess() = default;
+  bool waitForEnd(std::chrono::milliseconds grace);
 
   pid_t pid_ = 0;
   OwnedFd socket_;

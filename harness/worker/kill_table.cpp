@@ -26,8 +26,12 @@ void replaceOnce(pid_t from, pid_t to) {
 
 }  // namespace
 
-void rememberWorker(pid_t group) { replaceOnce(0, group); }
-void forgetWorker(pid_t group) { replaceOnce(group, 0); }
+void rememberWorker(pid_t group) {
+  replaceOnce(0, group);
+}
+void forgetWorker(pid_t group) {
+  replaceOnce(group, 0);
+}
 
 void killAllWorkers() noexcept {
   for (const std::atomic<pid_t>& slot : groups) {

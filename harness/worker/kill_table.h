@@ -1,4 +1,5 @@
-// The process groups of all workers alive, where a signal handler can find them (killAllWorkers in supervisor.h).
+// The process groups of all workers alive, where a signal handler can find them (killAllWorkers in
+// supervisor.h).
 #pragma once
 
 #include <sys/types.h>

@@ -61,7 +61,9 @@ OwnedFd takeDescriptor(msghdr& packet) {
   return OwnedFd(fd);
 }
 
-bool isKnown(MessageType type) { return type >= MessageType::kStart && type <= MessageType::kError; }
+bool isKnown(MessageType type) {
+  return type >= MessageType::kStart && type <= MessageType::kError;
+}
 
 Received parse(const Prefix& prefix, std::string_view text, OwnedFd memory) {
   Received received;

@@ -1,6 +1,6 @@
 // The protocol between a supervisor and its worker, over a socket that keeps packets whole (SOCK_SEQPACKET).
-// The supervisor sends kStart once and then one kJob at a time; the worker answers kStart with kHello or kError, and
-// each kJob with any number of kProgress and one kResult or kError.
+// The supervisor sends kStart once and then one kJob at a time; the worker answers kStart with kHello or
+// kError, and each kJob with any number of kProgress and one kResult or kError.
 #pragma once
 
 #include <cstdint>

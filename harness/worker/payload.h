@@ -1,6 +1,6 @@
-// The body of a message: one piece of anonymous shared memory, a header of small fields and then the images and
-// records one after the other. It is written and read with system calls rather than mapped: each byte is copied once
-// on each side all the same, and a peer that shortens the memory cannot make the reader fault.
+// The body of a message: one piece of anonymous shared memory, a header of small fields and then the images
+// and records one after the other. It is written and read with system calls rather than mapped: each byte is
+// copied once on each side all the same, and a peer that shortens the memory cannot make the reader fault.
 #pragma once
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include <spawn.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string_view>
@@ -47,8 +48,8 @@ class SpawnPlan {
     ::posix_spawnattr_setsigmask(&attributes_, &none);
     ::posix_spawnattr_setsigdefault(&attributes_, &all);
     ::posix_spawnattr_setpgroup(&attributes_, 0);
-    return ::posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    return ::posix_spawnattr_setflags(&attributes_,
+                                      POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
@@ -85,8 +86,11 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Above every number that the child's own descriptors are moved to, so that no move overwrites another's source.
-OwnedFd movedUp(int fd) { return OwnedFd(::fcntl(fd, F_DUPFD_CLOEXEC, kSocketInChild + 1)); }
+// Above every number that the child's own descriptors are moved to, so that no move overwrites another's
+// source.
+OwnedFd movedUp(int fd) {
+  return OwnedFd(::fcntl(fd, F_DUPFD_CLOEXEC, kSocketInChild + 1));
+}
 
 }  // namespace
 
@@ -106,7 +110,7 @@ Expected<pid_t> spawn(const ChildCommand& command, int socket, int stderr_pipe) 
   if (const int error = plan.setGroupAndSignals(); error != 0) {
     return failed(error);
   }
-  std::vector<std::string> arguments = {command.executable.filename().string()};
+  std::vector<std::string> arguments = {"ssrkit"};
   arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   std::vector<std::string> environment = mergedEnvironment(command);
   pid_t pid = 0;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "device/registry.h"
+#include "device/traits.h"
 #include "frame/job.h"
 
 namespace ssrkit {

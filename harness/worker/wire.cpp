@@ -6,7 +6,6 @@
 
 namespace ssrkit {
 
-// Each struct's fields, in its own order. Found by argument-dependent look-up from Packer and Unpacker.
 namespace {
 
 constexpr int kMaxImageSide = 16384;
@@ -19,6 +18,10 @@ std::size_t texelCount(Size size) {
   return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
+}  // namespace
+
+// Each struct's fields, in its own order. Not in the unnamed namespace: Packer and Unpacker find them by
+// argument-dependent look-up.
 template <class Archive, Is<Size> T>
 void fields(Archive& archive, T& size) {
   archive(size.width, size.height);
@@ -112,6 +115,8 @@ void fields(Archive& archive, T& info) {
   archive(info.traits.loop_cap, info.traits.device_timer_usable, info.traits.shader_input);
 }
 
+namespace {
+
 template <class... Values>
 Expected<Payload> pack(const Values&... values) {
   Packer packer;
@@ -129,10 +134,18 @@ std::optional<T> unpack(const Payload& payload) {
 
 }  // namespace
 
-Expected<Payload> packStart(const std::filesystem::path& shader_root) { return pack(shader_root); }
-Expected<Payload> packInfo(const DeviceInfo& info) { return pack(info); }
-Expected<Payload> packResult(const JobResult& result) { return pack(result); }
-Expected<Payload> packError(const Error& error) { return pack(error); }
+Expected<Payload> packStart(const std::filesystem::path& shader_root) {
+  return pack(shader_root);
+}
+Expected<Payload> packInfo(const DeviceInfo& info) {
+  return pack(info);
+}
+Expected<Payload> packResult(const JobResult& result) {
+  return pack(result);
+}
+Expected<Payload> packError(const Error& error) {
+  return pack(error);
+}
 
 Expected<Payload> packJob(const Job& job, std::chrono::seconds cpu_limit) {
   return pack(std::int64_t{cpu_limit.count()}, job);
@@ -141,9 +154,15 @@ Expected<Payload> packJob(const Job& job, std::chrono::seconds cpu_limit) {
 std::optional<std::filesystem::path> unpackStart(const Payload& payload) {
   return unpack<std::filesystem::path>(payload);
 }
-std::optional<DeviceInfo> unpackInfo(const Payload& payload) { return unpack<DeviceInfo>(payload); }
-std::optional<JobResult> unpackResult(const Payload& payload) { return unpack<JobResult>(payload); }
-std::optional<Error> unpackError(const Payload& payload) { return unpack<Error>(payload); }
+std::optional<DeviceInfo> unpackInfo(const Payload& payload) {
+  return unpack<DeviceInfo>(payload);
+}
+std::optional<JobResult> unpackResult(const Payload& payload) {
+  return unpack<JobResult>(payload);
+}
+std::optional<Error> unpackError(const Payload& payload) {
+  return unpack<Error>(payload);
+}
 
 std::optional<LimitedJob> unpackJob(const Payload& payload) {
   Unpacker unpacker(payload);

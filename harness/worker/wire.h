@@ -23,8 +23,8 @@ struct LimitedJob {
 [[nodiscard]] Expected<Payload> packResult(const JobResult& result);
 [[nodiscard]] Expected<Payload> packError(const Error& error);
 
-// Nothing when the payload is not what the function above writes: a size, count or code that cannot be true. The peer
-// may have been corrupted by its driver.
+// Nothing when the payload is not what the function above writes: a size, count or code that cannot be true.
+// The peer may have been corrupted by its driver.
 [[nodiscard]] std::optional<std::filesystem::path> unpackStart(const Payload& payload);
 [[nodiscard]] std::optional<DeviceInfo> unpackInfo(const Payload& payload);
 [[nodiscard]] std::optional<LimitedJob> unpackJob(const Payload& payload);

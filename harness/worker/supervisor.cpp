@@ -1,0 +1,240 @@
+#include "worker/supervisor.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "worker/child_process.h"
+#include "worker/message.h"
+#include "worker/wire.h"
+
+namespace ssrkit {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+// For a worker that closes its socket or is told to go: a crash takes a moment to write its message.
+constexpr milliseconds kGrace{1000};
+constexpr std::size_t kMaxReasons = 20;
+
+std::string describe(const WorkerDeath& death) {
+  std::string text = "its worker process ";
+  if (death.kind == WorkerDeath::Kind::kTimeout) {
+    text += "gave no answer in time";
+  } else if (death.signal != 0) {
+    const char* const description = sigdescr_np(death.signal);
+    text += fmt::format("died of signal {} ({})", death.signal, description ? description : "unknown");
+  } else {
+    text += "ended";
+  }
+  return death.last_progress.empty() ? text : text + " in '" + death.last_progress + "'";
+}
+
+std::vector<std::string> lastLines(const std::string& text) {
+  std::vector<std::string> lines = split(text, '\n');
+  std::erase(lines, "");
+  if (lines.size() > kMaxReasons) {
+    lines.erase(lines.begin(), lines.end() - kMaxReasons);
+  }
+  return lines;
+}
+
+int pollTimeout(Clock::duration remaining) {
+  const auto whole = std::chrono::ceil<milliseconds>(remaining);
+  return static_cast<int>(std::clamp(whole, milliseconds(0), milliseconds(60000)).count());
+}
+
+}  // namespace
+
+struct Worker::Impl {
+  using Reply = std::variant<Message, WorkerDeath>;
+
+  Impl(const DeviceEntry& entry, WorkerOptions worker_options)
+      : device_id(entry.id), environment(entry.environment), options(std::move(worker_options)) {}
+
+  Expected<void> ensureStarted();
+  Expected<void> greet();
+  JobOutcome run(const Job& job, const JobLimits& limits);
+  Reply awaitReply(Clock::time_point deadline);
+  WorkerDeath bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note);
+  WorkerDeath buryForGarbage() {
+    return bury(WorkerDeath::Kind::kCrash, milliseconds(0), "the worker sent bytes that are no message");
+  }
+  tl::unexpected<Error> startFailure(const WorkerDeath& death) const;
+
+  std::string device_id;
+  std::vector<std::pair<std::string, std::string>> environment;
+  WorkerOptions options;
+  std::optional<ChildProcess> child;
+  std::optional<DeviceInfo> device;
+  std::string last_progress;
+};
+
+Expected<void> Worker::Impl::ensureStarted() {
+  // It may have died between two jobs; nothing is to be read then from one that is well.
+  if (child && receiveMessage(child->socket(), false).state != Received::State::kNothingYet) {
+    child.reset();
+  }
+  if (child) {
+    return {};
+  }
+  Expected<ChildProcess> started =
+      ChildProcess::start({options.executable, {"__worker", device_id}, environment});
+  if (!started) {
+    return tl::make_unexpected(started.error());
+  }
+  child.emplace(std::move(*started));
+  Expected<void> greeted = greet();
+  if (!greeted) {
+    child.reset();
+  }
+  return greeted;
+}
+
+Expected<void> Worker::Impl::greet() {
+  last_progress.clear();
+  const Expected<Payload> start = packStart(options.shader_root);
+  if (!start) {
+    return tl::make_unexpected(start.error());
+  }
+  // A failure to send is a death, which awaitReply sees.
+  static_cast<void>(sendPayload(child->socket(), MessageType::kStart, *start));
+  const Reply reply = awaitReply(Clock::now() + options.start_limit);
+  if (const auto* const death = std::get_if<WorkerDeath>(&reply)) {
+    return startFailure(*death);
+  }
+  const Message& message = std::get<Message>(reply);
+  if (message.type == MessageType::kError) {
+    if (std::optional<Error> error = unpackError(message.payload)) {
+      return tl::make_unexpected(std::move(*error));
+    }
+  }
+  if (message.type == MessageType::kHello) {
+    if ((device = unpackInfo(message.payload))) {
+      return {};
+    }
+  }
+  return startFailure(buryForGarbage());
+}
+
+tl::unexpected<Error> Worker::Impl::startFailure(const WorkerDeath& death) const {
+  auto failure = setupError("start the device '" + device_id + "'", describe(death), {},
+                            "run 'ssrkit doctor' to see what its driver needs");
+  failure.value().reasons = lastLines(death.stderr_tail);
+  return failure;
+}
+
+JobOutcome Worker::Impl::run(const Job& job, const JobLimits& limits) {
+  SSRKIT_CHECK_LE(1, limits.cpu.count());
+  if (const Expected<void> started = ensureStarted(); !started) {
+    return started.error();
+  }
+  last_progress.clear();
+  child->drainStderr();
+  child->clearStderrTail();
+  const Expected<Payload> packed = packJob(job, limits.cpu);
+  if (!packed) {
+    return packed.error();
+  }
+  static_cast<void>(sendPayload(child->socket(), MessageType::kJob, *packed));
+  Reply reply = awaitReply(Clock::now() + limits.wall);
+  if (auto* const death = std::get_if<WorkerDeath>(&reply)) {
+    return std::move(*death);
+  }
+  const Message& message = std::get<Message>(reply);
+  if (message.type == MessageType::kResult) {
+    if (std::optional<JobResult> result = unpackResult(message.payload)) {
+      return std::move(*result);
+    }
+  }
+  if (message.type == MessageType::kError) {
+    if (std::optional<Error> error = unpackError(message.payload)) {
+      return std::move(*error);
+    }
+  }
+  return buryForGarbage();
+}
+
+// Keeps last_progress and the tail of stderr up to date until anything but progress arrives.
+Worker::Impl::Reply Worker::Impl::awaitReply(Clock::time_point deadline) {
+  bool stderr_open = true;
+  while (Clock::now() < deadline) {
+    std::array<pollfd, 2> watched = {pollfd{child->socket(), POLLIN, 0},
+                                     pollfd{stderr_open ? child->stderrPipe() : -1, POLLIN, 0}};
+    ::poll(watched.data(), watched.size(), pollTimeout(deadline - Clock::now()));
+    if (watched[1].revents != 0) {
+      stderr_open = child->drainStderr();
+    }
+    if (watched[0].revents == 0) {
+      continue;
+    }
+    Received received = receiveMessage(child->socket(), false);
+    if (received.state == Received::State::kClosed) {
+      return bury(WorkerDeath::Kind::kCrash, kGrace, "");
+    }
+    if (received.state == Received::State::kGarbage) {
+      return buryForGarbage();
+    }
+    if (received.state == Received::State::kMessage) {
+      if (received.message.type != MessageType::kProgress) {
+        return std::move(received.message);
+      }
+      last_progress = std::move(received.message.text);
+    }
+  }
+  return bury(WorkerDeath::Kind::kTimeout, milliseconds(0), "");
+}
+
+WorkerDeath Worker::Impl::bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note) {
+  const ChildEnd end = child->end(grace);
+  WorkerDeath death{kind, end.signal, last_progress, child->stderrTail()};
+  child.reset();
+  if (end.signal == SIGXCPU) {
+    death.kind = WorkerDeath::Kind::kTimeout;
+  }
+  if (death.kind == WorkerDeath::Kind::kTimeout) {
+    return death;
+  }
+  std::string last_line = note;
+  if (end.was_killed) {
+    death.signal = 0;  // ours, and not the cause
+  } else if (end.signal == 0) {
+    last_line = fmt::format("the worker exited with code {} before it answered", end.exit_code);
+  }
+  if (end.was_killed && note.empty()) {
+    last_line = "the worker closed its socket and went on";
+  }
+  if (!last_line.empty()) {
+    const bool needs_newline = !death.stderr_tail.empty() && death.stderr_tail.back() != '\n';
+    death.stderr_tail += (needs_newline ? "\n" : "") + last_line + "\n";
+  }
+  return death;
+}
+
+Worker::Worker(const DeviceEntry& entry, WorkerOptions options)
+    : impl_(std::make_unique<Impl>(entry, std::move(options))) {}
+Worker::~Worker() = default;
+Worker::Worker(Worker&&) noexcept = default;
+Worker& Worker::operator=(Worker&&) noexcept = default;
+
+Expected<DeviceInfo> Worker::info() {
+  if (!impl_->device) {
+    if (const Expected<void> started = impl_->ensureStarted(); !started) {
+      return tl::make_unexpected(started.error());
+    }
+  }
+  return *impl_->device;
+}
+
+JobOutcome Worker::run(const Job& job, const JobLimits& limits) {
+  return impl_->run(job, limits);
+}
+
+}  // namespace ssrkit
