@@ -63,11 +63,13 @@ std::vector<std::string> FieldReader::optionalTexts(std::string_view key) {
     return words;
   }
   if (list->elements.empty()) {
-    complainAt(list->place, fmt::format("the list '{}' is empty", key), "name at least one or leave the key out");
+    complainAt(list->place, fmt::format("the list '{}' is empty", key),
+               "name at least one or leave the key out");
   }
   for (const TomlValue& element : list->elements) {
     if (element.kind != TomlValue::Kind::kText) {
-      complainAt(element.place, fmt::format("'{}' is a list of text, not of {}", key, name(element.kind)), "");
+      complainAt(element.place, fmt::format("'{}' is a list of text, not of {}", key, name(element.kind)),
+                 "");
     } else if (std::ranges::find(words, element.text) != words.end()) {
       complainAt(element.place, fmt::format("'{}' names '{}' twice", key, element.text), "");
     }
@@ -84,7 +86,8 @@ std::optional<double> FieldReader::number(std::string_view key, double low, doub
     return std::nullopt;
   }
   if (std::isnan(found->number) || found->number < low || found->number > high) {
-    complainAt(found->place, fmt::format("'{}' is {:g}, outside {:g} to {:g}", key, found->number, low, high), "");
+    complainAt(found->place, fmt::format("'{}' is {:g}, outside {:g} to {:g}", key, found->number, low, high),
+               "");
   }
   return found->number;
 }
@@ -118,6 +121,15 @@ void FieldReader::requireKnown(std::string_view key, std::string_view word, std:
   }
 }
 
+void FieldReader::requirePlainId(std::string_view key, std::string_view word) {
+  const bool plain = std::ranges::all_of(word, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+  });
+  if (!plain) {
+    complain(key, fmt::format("'{}' is no id", word), "use only a-z, 0-9, '.', '_' and '-'");
+  }
+}
+
 Expected<void> FieldReader::result() const {
   if (error_) {
     return tl::make_unexpected(*error_);
@@ -132,7 +144,8 @@ std::string FieldReader::whereIs(std::string_view key) const {
 
 void FieldReader::complainAt(TomlPlace place, std::string problem, std::string remedy) {
   if (!error_) {
-    error_ = Error{ErrorKind::kInput, attempted_, std::move(problem), placeText(file_, place), std::move(remedy), {}};
+    error_ = Error{ErrorKind::kInput,       attempted_,        std::move(problem),
+                   placeText(file_, place), std::move(remedy), {}};
   }
 }
 
@@ -142,15 +155,17 @@ const TomlValue* FieldReader::value(std::string_view key, TomlValue::Kind wanted
     return nullptr;
   }
   if (entry->value.kind != wanted) {
-    complainAt(entry->value.place,
-               fmt::format("'{}' in {} must be {}, not {}", key, label_, name(wanted), name(entry->value.kind)), "");
+    complainAt(
+        entry->value.place,
+        fmt::format("'{}' in {} must be {}, not {}", key, label_, name(wanted), name(entry->value.kind)), "");
     return nullptr;
   }
   return &entry->value;
 }
 
 void FieldReader::complainMissing(std::string_view key) {
-  complainAt(table_.place, fmt::format("{} lacks the key '{}'", label_, key), fmt::format("add {} = ...", key));
+  complainAt(table_.place, fmt::format("{} lacks the key '{}'", label_, key),
+             fmt::format("add {} = ...", key));
 }
 
 }  // namespace ssrkit

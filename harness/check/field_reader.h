@@ -1,5 +1,5 @@
-// Strict reading of one TOML table: every key must be known, of its type, and within its range. The first complaint is
-// kept and ends the reading, so that callers read all fields in a row and ask once.
+// Strict reading of one TOML table: every key must be known, of its type, and within its range. The first
+// complaint is kept and ends the reading, so that callers read all fields in a row and ask once.
 #pragma once
 
 #include <optional>
@@ -34,6 +34,9 @@ class FieldReader {
   // Complains when `word`, the value of `key`, is not among `known`.
   void requireKnown(std::string_view key, std::string_view word, std::string_view what,
                     std::span<const std::string> known);
+
+  // Complains unless `word`, the value of `key`, is made of a-z, 0-9, '.', '_' and '-'.
+  void requirePlainId(std::string_view key, std::string_view word);
 
   [[nodiscard]] bool ok() const { return !error_; }
   [[nodiscard]] Expected<void> result() const;

@@ -11,7 +11,9 @@ namespace ssrkit {
 
 namespace {
 
-TomlPlace placeOf(const toml::source_region& region) { return {region.begin.line, region.begin.column}; }
+TomlPlace placeOf(const toml::source_region& region) {
+  return {region.begin.line, region.begin.column};
+}
 
 TomlValue convert(const toml::node& node);
 
@@ -86,7 +88,8 @@ std::string placeText(std::string_view file, TomlPlace place) {
   return fmt::format("{}:{}:{}", file, place.line, place.column);
 }
 
-Expected<TomlValue> parseToml(std::string_view content, const std::string& file, const std::string& attempted) {
+Expected<TomlValue> parseToml(std::string_view content, const std::string& file,
+                              const std::string& attempted) {
   const toml::parse_result parsed = toml::parse(content, file);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();

@@ -32,7 +32,8 @@ Verdict compareAnswers(const RayHit& yours, const RayHit& oracle, Ambiguity ambi
   const bool yours_hit = yours.ray_class == RayClass::kHit;
   const bool oracle_hit = oracle.ray_class == RayClass::kHit;
   if (yours_hit && oracle_hit) {
-    const bool near = std::abs(yours.texel_x - oracle.texel_x) <= 1 && std::abs(yours.texel_y - oracle.texel_y) <= 1;
+    const bool near =
+        std::abs(yours.texel_x - oracle.texel_x) <= 1 && std::abs(yours.texel_y - oracle.texel_y) <= 1;
     return near ? Verdict::kNear : Verdict::kWrong;
   }
   if (yours_hit) {
@@ -43,7 +44,9 @@ Verdict compareAnswers(const RayHit& yours, const RayHit& oracle, Ambiguity ambi
 
 }  // namespace
 
-const char* name(Verdict verdict) { return kNames.at(static_cast<std::size_t>(verdict)); }
+const char* name(Verdict verdict) {
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
 
 std::optional<Verdict> verdictFromName(std::string_view verdict_name) {
   const auto found = std::ranges::find(kNames, verdict_name);
@@ -66,8 +69,8 @@ std::vector<Verdict> compareWithOracle(const RayRecord& record, const OracleResu
       const RayHit& truth = oracle.record.rays[index];
       Verdict& verdict = verdicts[index];
       verdict = compareAnswers(record.rays[index], truth, oracle.ambiguity[index]);
-      const bool lost_hit = truth.ray_class == RayClass::kHit &&
-                            (verdict == Verdict::kWrong || verdict == Verdict::kMissedHit);
+      const bool lost_hit =
+          truth.ray_class == RayClass::kHit && (verdict == Verdict::kWrong || verdict == Verdict::kMissedHit);
       if (lost_hit && leaks.isLeak(record.rays[index], x, y)) {
         verdict = Verdict::kLeak;
       }

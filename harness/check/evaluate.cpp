@@ -1,0 +1,65 @@
+#include "check/evaluate.h"
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "check/failure_message.h"
+#include "check/measure.h"
+
+namespace ssrkit {
+
+namespace {
+
+bool holds(double value, const Expectation& expectation) {
+  // Written so that a NaN holds no bound.
+  return (!expectation.max || value <= *expectation.max) && (!expectation.min || value >= *expectation.min);
+}
+
+Outcome outcomeOf(const Measurement& measurement, const Expectation& expectation) {
+  if (!measurement.problem.empty()) {
+    return Outcome::kError;
+  }
+  if (measurement.compared == 0) {
+    return expectation.allow_empty ? Outcome::kPass : Outcome::kFail;
+  }
+  if (measurement.outcome) {
+    return *measurement.outcome;
+  }
+  return measurement.value && holds(*measurement.value, expectation) ? Outcome::kPass : Outcome::kFail;
+}
+
+}  // namespace
+
+CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
+  SSRKIT_CHECK(subject.self != nullptr);
+  const Answer& self = *subject.self;
+  Measurement measurement = measure(expectation, subject);
+  CheckResult result;
+  result.id = subject.test_id + "." + expectation.name;
+  result.scene = subject.scene;
+  result.device = self.device;
+  result.stage = self.stage;
+  result.size = self.size;
+  result.case_name = self.case_name;
+  result.metric = row(expectation.metric).name;
+  result.unit = row(expectation.metric).unit;
+  result.value = measurement.value;
+  result.max = expectation.max;
+  result.min = expectation.min;
+  result.repro = subject.repro;
+  result.outcome = outcomeOf(measurement, expectation);
+  const bool empty = measurement.problem.empty() && measurement.compared == 0;
+  if (empty) {
+    const bool of_rays = measurement.compared_what == "rays";
+    measurement.remark =
+        of_rays ? "no ray was compared" : "no " + measurement.compared_what + " were compared";
+  }
+  if (result.outcome == Outcome::kPass) {
+    result.message = measurement.remark;
+  } else {
+    result.message = failureMessage(result, expectation, std::move(measurement));
+  }
+  return result;
+}
+
+}  // namespace ssrkit

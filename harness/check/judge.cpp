@@ -1,0 +1,84 @@
+#include "check/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/evaluate.h"
+#include "check/read_expect_section.h"
+
+namespace ssrkit {
+
+namespace {
+
+bool isTruthItself(const Truth& truth, const Answer& answer) {
+  switch (truth.kind) {
+    case TruthKind::kStage:
+      return answer.stage == truth.name;
+    case TruthKind::kCross:
+      return answer.device == truth.name;
+    case TruthKind::kCase:
+      return answer.case_name == truth.name;
+    case TruthKind::kSize:
+      return sizeText(answer.size) == truth.name;
+    case TruthKind::kRendered:
+      return answer.input.empty();
+    case TruthKind::kNone:
+    case TruthKind::kOracle:
+    case TruthKind::kClosedForm:
+      return false;
+  }
+  return false;
+}
+
+bool isAmong(const std::vector<std::string>& names, const std::string& name_sought) {
+  return std::ranges::find(names, name_sought) != names.end();
+}
+
+CheckResult missing(const TestFile& test, const Expectation& expectation, const std::string& scene) {
+  CheckResult result;
+  result.id = test.id + "." + expectation.name;
+  result.scene = scene;
+  result.outcome = Outcome::kMissing;
+  result.metric = row(expectation.metric).name;
+  result.unit = row(expectation.metric).unit;
+  result.max = expectation.max;
+  result.min = expectation.min;
+  result.message = fmt::format("missing: {} {}\n  problem   no answer of the run is one that {} asks for",
+                               result.id, scene, expectation.where);
+  return result;
+}
+
+}  // namespace
+
+bool isAskedOf(const TestFile& test, const Expectation& expectation, const Answer& answer) {
+  const bool of_frame = expectation.stages.empty();
+  const bool stage_fits = of_frame ? answer.stage.empty() : isAmong(expectation.stages, answer.stage);
+  const bool over_cases = row(expectation.metric).over_cases;
+  const bool case_fits = over_cases ? answer.case_name == expectation.cases.front()
+                                    : of_frame || isAmong(expectation.cases, answer.case_name);
+  const bool size_fits = expectation.sizes.empty() ||
+                         std::ranges::find(expectation.sizes, answer.size) != expectation.sizes.end();
+  return stage_fits && case_fits && size_fits && answer.input == test.input &&
+         !isTruthItself(expectation.truth, answer);
+}
+
+std::vector<CheckResult> judge(const TestFile& test, const std::string& scene,
+                               std::span<const Answer> answers,
+                               const std::function<std::string(const Answer&)>& repro) {
+  std::vector<CheckResult> results;
+  for (const Expectation& expectation : test.expectations) {
+    const std::size_t before = results.size();
+    for (const Answer& answer : answers) {
+      if (isAskedOf(test, expectation, answer)) {
+        results.push_back(evaluate(expectation, Subject{test.id, scene, &answer, answers, repro(answer)}));
+      }
+    }
+    if (results.size() == before) {
+      results.push_back(missing(test, expectation, scene));
+    }
+  }
+  return results;
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,54 @@
+#include "check/measure.h"
+
+namespace ssrkit {
+
+Measurement measure(const Expectation& expectation, const Subject& subject) {
+  switch (expectation.metric) {
+    case Metric::kDifferentRays:
+      return measureDifferentRays(expectation, subject);
+    case Metric::kAmbiguousShare:
+      return measureAmbiguousShare(subject);
+    case Metric::kVerdictCount:
+    case Metric::kVerdictShare:
+      return measureVerdicts(expectation, subject);
+    case Metric::kHitPositionPx:
+      return measureHitPosition(expectation, subject);
+    case Metric::kClosedForm:
+    case Metric::kClosedFormLookups:
+      return measureClosedForm(expectation, subject);
+    case Metric::kIdentical:
+      return measureIdentical(expectation, subject);
+    case Metric::kCoverageFlips:
+      return measureCoverageFlips(expectation, subject);
+    case Metric::kRelativeError:
+    case Metric::kAbsoluteError:
+      return measureImageError(expectation, subject);
+    case Metric::kMaskFlipsPerMillion:
+      return measureMaskFlips(expectation, subject);
+    case Metric::kMeanLookups:
+    case Metric::kP95Lookups:
+    case Metric::kMaxLookups:
+      return measureLookups(expectation, subject);
+    case Metric::kLookupRatio:
+      return measureLookupRatio(expectation, subject);
+    case Metric::kLookupsAdded:
+      return measureLookupsAdded(expectation, subject);
+    case Metric::kCpuRatio:
+    case Metric::kPassCpuShare:
+      return measureCpuRatio(expectation, subject);
+    case Metric::kConvergence:
+      return measureConvergence(expectation, subject);
+    case Metric::kBudgetMonotone:
+      return measureBudgetMonotone(expectation, subject);
+    case Metric::kFinite:
+    case Metric::kNoSelfHit:
+    case Metric::kHitPointInTexel:
+    case Metric::kInsideImage:
+    case Metric::kLookupsWithinBudget:
+    case Metric::kClassConsistent:
+      return measureProperty(expectation, subject);
+  }
+  return cannotMeasure("the metric is not known");
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/measure.h"
+#include "check/percentile.h"
+#include "check/ray_pairs.h"
+
+namespace ssrkit {
+
+namespace {
+
+template <class Keep>
+std::vector<RayPair> select(const RayPairs& pairs, Keep keep) {
+  std::vector<RayPair> kept;
+  std::ranges::copy_if(pairs.pairs, std::back_inserter(kept), keep);
+  return kept;
+}
+
+bool differ(const RayPair& pair) {
+  return !sameAnswer(*pair.yours, *pair.expected);
+}
+
+double hitDistancePx(const RayPair& pair) {
+  const double distance = std::hypot(static_cast<double>(pair.yours->px_x) - pair.expected->px_x,
+                                     static_cast<double>(pair.yours->px_y) - pair.expected->px_y);
+  return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
+}
+
+}  // namespace
+
+Measurement measureDifferentRays(const Expectation& expectation, const Subject& subject) {
+  const RayPairs pairs = pairRays(subject, expectation.truth);
+  if (!pairs.problem.empty()) {
+    return cannotMeasure(pairs.problem);
+  }
+  Measurement measurement = findingsOf(pairs, select(pairs, differ), subject);
+  measurement.value = static_cast<double>(measurement.findings.size());
+  return measurement;
+}
+
+Measurement measureAmbiguousShare(const Subject& subject) {
+  const RayPairs pairs = pairRays(subject, {TruthKind::kOracle, ""});
+  if (!pairs.problem.empty()) {
+    return cannotMeasure(pairs.problem);
+  }
+  Measurement measurement;
+  measurement.compared = pairs.pairs.size() + pairs.ambiguous;
+  measurement.value = measurement.compared == 0
+                          ? 0.0
+                          : static_cast<double>(pairs.ambiguous) / static_cast<double>(measurement.compared);
+  measurement.remark = fmt::format("{} of {} rays are ties", pairs.ambiguous, measurement.compared);
+  return measurement;
+}
+
+Measurement measureVerdicts(const Expectation& expectation, const Subject& subject) {
+  const RayPairs pairs = pairRays(subject, expectation.truth);
+  const Answer& self = *subject.self;
+  if (!pairs.problem.empty() || self.oracle_input == nullptr) {
+    return cannotMeasure(pairs.problem.empty() ? "the oracle's input is not known" : pairs.problem);
+  }
+  const std::vector<Verdict> verdicts = compareWithOracle(*self.record, *self.oracle, *self.oracle_input);
+  const RayHit* first = self.record->rays.data();
+  const auto counted = [&](const RayHit* ray) {
+    const Verdict verdict = verdicts[static_cast<std::size_t>(ray - first)];
+    return std::ranges::find(expectation.verdicts, verdict) != expectation.verdicts.end();
+  };
+  Measurement measurement =
+      findingsOf(pairs, select(pairs, [&](const RayPair& pair) { return counted(pair.yours); }), subject);
+  const VerdictCounts counts = countVerdicts(verdicts);
+  std::size_t wanted = 0;
+  for (const Verdict verdict : expectation.verdicts) {
+    wanted += counts.at(static_cast<std::size_t>(verdict));
+  }
+  const std::size_t rays = verdicts.size() - counts.at(static_cast<std::size_t>(Verdict::kNone));
+  measurement.compared = rays;
+  const bool is_share = expectation.metric == Metric::kVerdictShare;
+  const double divisor = is_share ? std::max(1.0, static_cast<double>(rays)) : 1.0;
+  measurement.value = static_cast<double>(wanted) / divisor;
+  std::string tally = "verdicts:";
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    tally += fmt::format(" {} {}", name(static_cast<Verdict>(i)), counts.at(i));
+  }
+  measurement.remark = tally;
+  return measurement;
+}
+
+Measurement measureHitPosition(const Expectation& expectation, const Subject& subject) {
+  RayPairs pairs = pairRays(subject, expectation.truth);
+  if (!pairs.problem.empty()) {
+    return cannotMeasure(pairs.problem);
+  }
+  std::erase_if(pairs.pairs, [](const RayPair& pair) { return !bothHit(pair) || differ(pair); });
+  std::vector<double> distances;
+  for (const RayPair& pair : pairs.pairs) {
+    distances.push_back(hitDistancePx(pair));
+  }
+  const double value = distances.empty() ? 0.0 : percentileOf(distances, expectation.percentile);
+  // The rays at or beyond the percentile are the ones to look at.
+  Measurement measurement = findingsOf(
+      pairs, select(pairs, [&](const RayPair& pair) { return hitDistancePx(pair) >= value && value > 0.0; }),
+      subject);
+  measurement.confusion.clear();
+  measurement.cause = nullptr;
+  const RayRecord* yours = subject.self->record;
+  const RayRecord* expected = pairs.expected;
+  const auto position = [](const RayHit& hit) { return fmt::format("({:.4f}, {:.4f})", hit.px_x, hit.px_y); };
+  for (Finding& finding : measurement.findings) {
+    finding.severity = hitDistancePx(
+        {finding.x, finding.y, &yours->at(finding.x, finding.y), &expected->at(finding.x, finding.y)});
+  }
+  measurement.describe = [=](const Finding& finding) {
+    return FindingText{position(yours->at(finding.x, finding.y)),
+                       position(expected->at(finding.x, finding.y)),
+                       fmt::format("{:.4g} px", finding.severity)};
+  };
+  measurement.value = value;
+  return measurement;
+}
+
+Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject) {
+  const RayPairs pairs = pairRays(subject, expectation.truth);
+  if (!pairs.problem.empty()) {
+    return cannotMeasure(pairs.problem);
+  }
+  const auto flips = [](const RayPair& pair) {
+    return (pair.yours->ray_class == RayClass::kHit) != (pair.expected->ray_class == RayClass::kHit);
+  };
+  Measurement measurement = findingsOf(pairs, select(pairs, flips), subject);
+  constexpr double kMillion = 1e6;
+  measurement.value = kMillion * static_cast<double>(measurement.findings.size()) /
+                      std::max(1.0, static_cast<double>(subject.self->record->rays.size()));
+  return measurement;
+}
+
+}  // namespace ssrkit

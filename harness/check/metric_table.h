@@ -1,0 +1,74 @@
+// Every metric as a row of data: its name in files, its unit, what it may be held against and which keys it
+// takes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ssrkit {
+
+enum class Metric : std::uint8_t {
+  kDifferentRays,
+  kAmbiguousShare,
+  kVerdictCount,
+  kVerdictShare,
+  kHitPositionPx,
+  kClosedForm,
+  kClosedFormLookups,
+  kIdentical,
+  kCoverageFlips,
+  kRelativeError,
+  kAbsoluteError,
+  kMaskFlipsPerMillion,
+  kMeanLookups,
+  kP95Lookups,
+  kMaxLookups,
+  kLookupRatio,
+  kLookupsAdded,
+  kCpuRatio,
+  kPassCpuShare,
+  kConvergence,
+  kBudgetMonotone,
+  kFinite,
+  kNoSelfHit,
+  kHitPointInTexel,
+  kInsideImage,
+  kLookupsWithinBudget,
+  kClassConsistent,
+};
+
+enum class TruthKind : std::uint8_t {
+  kNone,        // the answer is judged by itself
+  kOracle,      // Oracle A over the same depth image
+  kClosedForm,  // a formula, for the scenes that have one
+  kRendered,    // the same device's answer over the G-buffer that it rendered itself
+  kCross,       // the same stage on another device
+  kStage,       // another stage, same device
+  kCase,        // another set of parameters
+  kSize,        // another size
+};
+
+struct MetricRow {
+  Metric metric{};
+  std::string name;
+  std::string unit;
+  std::vector<TruthKind> truths;       // the first is the default
+  std::vector<std::string> keys = {};  // keys of [[expect]] that only some metrics take
+  bool on_record = true;               // may judge the buffer "hit"
+  bool on_image = false;               // may judge an image
+  bool zero_by_default = false;        // without bounds, max is 0
+  bool over_cases = false;             // one check over the whole list `cases`
+  bool timed = false;                  // needs the test's `rounds`
+};
+
+[[nodiscard]] std::span<const MetricRow> metricRows();
+[[nodiscard]] const MetricRow& row(Metric metric);
+[[nodiscard]] const MetricRow* findMetric(std::string_view metric_name);
+[[nodiscard]] std::span<const std::string> metricNames();
+
+[[nodiscard]] bool takesKey(const MetricRow& row, std::string_view key);
+
+}  // namespace ssrkit

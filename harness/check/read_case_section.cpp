@@ -1,0 +1,65 @@
+#include "check/read_case_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/field_reader.h"
+#include "spaces/trace_parameters.h"
+
+namespace ssrkit {
+
+namespace {
+
+std::string parameterValueText(const TomlValue& value) {
+  switch (value.kind) {
+    case TomlValue::Kind::kText:
+      return value.text;
+    case TomlValue::Kind::kInteger:
+      return fmt::format("{}", value.integer);
+    default:
+      return fmt::format("{}", value.number);
+  }
+}
+
+}  // namespace
+
+Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test,
+                                   const std::string& attempted) {
+  FieldReader fields(table, "[[case]]", test.file, attempted);
+  std::vector<std::string> keys = {"name"};
+  keys.insert(keys.end(), parameterNames().begin(), parameterNames().end());
+  fields.allowOnly(keys);
+  TestCase test_case;
+  test_case.name = fields.text("name");
+  fields.requirePlainId("name", test_case.name);
+  if (std::ranges::find(test.cases, test_case.name, &TestCase::name) != test.cases.end()) {
+    fields.complain("name", fmt::format("two cases are named '{}'", test_case.name), "rename one of them");
+  }
+  TraceParameters scratch;
+  for (const TomlEntry& entry : table.entries) {
+    if (!fields.ok()) {
+      break;
+    }
+    if (entry.key == "name") {
+      continue;
+    }
+    using enum TomlValue::Kind;
+    if (entry.value.kind != kText && entry.value.kind != kInteger && entry.value.kind != kFloat) {
+      fields.complain(entry.key,
+                      fmt::format("the parameter '{}' cannot be {}", entry.key, name(entry.value.kind)));
+      break;
+    }
+    const std::string value = parameterValueText(entry.value);
+    if (auto set = setParameter(scratch, entry.key, value, fields.whereIs(entry.key)); !set) {
+      return tl::make_unexpected(set.error());
+    }
+    test_case.parameters.emplace_back(entry.key, value);
+  }
+  if (!fields.ok()) {
+    return tl::make_unexpected(fields.result().error());
+  }
+  return test_case;
+}
+
+}  // namespace ssrkit

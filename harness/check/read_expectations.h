@@ -1,0 +1,32 @@
+// Reads expectation files. Strict: an unknown key, a wrong type, a missing key, a metric that cannot be held
+// against its truth, or an id given twice is an error with file, line and column.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "check/expectation.h"
+
+namespace ssrkit {
+
+// The names that a file may use. An empty list allows any.
+struct KnownNames {
+  std::vector<std::string> scenes;
+  std::vector<std::string> devices;
+  std::vector<std::string> stages;
+};
+
+// One file's content. `file` is the name that messages show.
+[[nodiscard]] Expected<TestFile> readExpectations(std::string_view content, const std::string& file,
+                                                  const KnownNames& known = {});
+
+// Every *.toml of a folder, sorted by name, or one file. Fails when there is none, and when two files have
+// the same id.
+[[nodiscard]] Expected<std::vector<TestFile>> loadExpectations(const std::filesystem::path& path,
+                                                               const KnownNames& known = {});
+
+}  // namespace ssrkit
