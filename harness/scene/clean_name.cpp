@@ -8,7 +8,8 @@ std::string cleanName(std::string_view text) {
   constexpr std::size_t kMaxBytes = 120;
   std::string name(text.substr(0, 4 * kMaxBytes));
   std::replace_if(
-      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; },
+      ' ');
   const std::size_t first = name.find_first_not_of(' ');
   if (first == std::string::npos) {
     return "";

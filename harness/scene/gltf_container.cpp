@@ -29,14 +29,16 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
 
 Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view bytes) {
   if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
-    return source.refuse("", fmt::format("the file ends after {} bytes, inside the GLB header", bytes.size()));
+    return source.refuse("",
+                         fmt::format("the file ends after {} bytes, inside the GLB header", bytes.size()));
   }
   if (const std::uint32_t version = wordAt(bytes, 4); version != 2) {
     return source.refuse("", fmt::format("it is GLB version {}", version),
                          "ssrkit reads glTF 2.0; convert the file with its exporter");
   }
   if (const std::size_t declared = wordAt(bytes, 8); declared > bytes.size()) {
-    return source.refuse("", fmt::format("the file has {} bytes and its header says {}", bytes.size(), declared),
+    return source.refuse("",
+                         fmt::format("the file has {} bytes and its header says {}", bytes.size(), declared),
                          "it was cut short; copy it again");
   }
   bytes = bytes.substr(0, wordAt(bytes, 8));
@@ -47,8 +49,9 @@ Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view 
     const std::uint32_t type = wordAt(bytes, offset + 4);
     offset += kChunkHeaderBytes;
     if (size > bytes.size() - offset) {
-      return source.refuse(fmt::format("chunk {}", chunk),
-                           fmt::format("it has {} bytes and {} are left in the file", size, bytes.size() - offset));
+      return source.refuse(
+          fmt::format("chunk {}", chunk),
+          fmt::format("it has {} bytes and {} are left in the file", size, bytes.size() - offset));
     }
     if ((chunk == 0) != (type == kJsonChunk)) {
       return source.refuse(fmt::format("chunk {}", chunk), "a GLB file begins with its one JSON chunk");

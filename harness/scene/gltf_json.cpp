@@ -21,13 +21,15 @@ std::string lineAndColumn(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   const std::size_t last_break = before.rfind('\n');
-  const std::size_t column = last_break == std::string_view::npos ? before.size() + 1 : before.size() - last_break;
+  const std::size_t column =
+      last_break == std::string_view::npos ? before.size() + 1 : before.size() - last_break;
   return fmt::format("{}:{}", line, column);
 }
 
 tl::unexpected<Error> refuseAt(const GltfSource& source, std::string_view text, std::size_t offset,
                                std::string problem) {
-  return inputError("load the scene", std::move(problem), source.file.string() + ":" + lineAndColumn(text, offset));
+  return inputError("load the scene", std::move(problem),
+                    source.file.string() + ":" + lineAndColumn(text, offset));
 }
 
 // Nesting and the number of values, without building anything.
@@ -60,7 +62,9 @@ std::string reasonOf(const nlohmann::json::exception& exception) {
   const std::string_view message = exception.what();
   const std::size_t syntax = message.find("syntax error");
   const std::size_t bracket = message.find("] ");
-  const std::size_t first = syntax != std::string_view::npos ? syntax : bracket == std::string_view::npos ? 0 : bracket + 2;
+  const std::size_t first = syntax != std::string_view::npos    ? syntax
+                            : bracket == std::string_view::npos ? 0
+                                                                : bracket + 2;
   return cleanName(message.substr(first));
 }
 
@@ -68,9 +72,10 @@ std::string reasonOf(const nlohmann::json::exception& exception) {
 
 Expected<nlohmann::json> parseGltfJson(const GltfSource& source, const std::string& text) {
   if (text.size() > kMaxTextBytes) {
-    return source.refuse("", fmt::format("its JSON has {} MiB and the limit is {} MiB", text.size() >> 20U,
-                                         kMaxTextBytes >> 20U),
-                         "keep its buffers in a .bin file beside it");
+    return source.refuse(
+        "",
+        fmt::format("its JSON has {} MiB and the limit is {} MiB", text.size() >> 20U, kMaxTextBytes >> 20U),
+        "keep its buffers in a .bin file beside it");
   }
   if (auto extent = checkExtent(source, text); !extent) {
     return tl::make_unexpected(extent.error());

@@ -22,9 +22,9 @@ enum class Kind { kObject, kArray, kString, kBool, kNumber, kWhole, kIndex, kNum
 struct Rule {
   std::string_view path;  // '*': every element of an array or member of an object
   Kind kind = Kind::kObject;
-  bool required = false;        // of its parent, where that is present
-  std::string_view target{};    // kIndex: the array it points into
-  std::size_t count = 0;        // kNumbers: how many
+  bool required = false;      // of its parent, where that is present
+  std::string_view target{};  // kIndex: the array it points into
+  std::size_t count = 0;      // kNumbers: how many
 };
 
 constexpr std::size_t kMaxElements = 262'144;  // of an array of objects
@@ -151,7 +151,8 @@ constexpr auto kRules = std::to_array<Rule>({
     {"nodes/*/scale", Kind::kNumbers, false, {}, 3},
     {"nodes/*/extensions", Kind::kObject},
     {"nodes/*/extensions/KHR_lights_punctual", Kind::kObject},
-    {"nodes/*/extensions/KHR_lights_punctual/light", Kind::kIndex, true, "extensions/KHR_lights_punctual/lights"},
+    {"nodes/*/extensions/KHR_lights_punctual/light", Kind::kIndex, true,
+     "extensions/KHR_lights_punctual/lights"},
     {"scenes", Kind::kArray},
     {"scenes/*", Kind::kObject},
     {"scenes/*/nodes", Kind::kArray},
@@ -159,8 +160,9 @@ constexpr auto kRules = std::to_array<Rule>({
     {"scene", Kind::kIndex, false, "scenes"},
 });
 
-constexpr auto kSupportedExtensions = std::to_array<std::string_view>(
-    {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization", "KHR_texture_transform"});
+constexpr auto kSupportedExtensions =
+    std::to_array<std::string_view>({"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                     "KHR_mesh_quantization", "KHR_texture_transform"});
 
 // Length of the array at `path`, 0 where there is none.
 std::size_t lengthOf(const json& root, std::string_view path) {
@@ -179,8 +181,9 @@ std::size_t lengthOf(const json& root, std::string_view path) {
 
 // What is wrong with the value by the rule, empty when nothing is.
 std::string complaint(const Rule& rule, const json& value, std::size_t target_length) {
-  const bool whole = value.is_number_unsigned() &&
-                     value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
+  const bool whole =
+      value.is_number_unsigned() &&
+      value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
   switch (rule.kind) {
     case Kind::kObject:
       return value.is_object() ? "" : "is not an object";
@@ -204,7 +207,8 @@ std::string complaint(const Rule& rule, const json& value, std::size_t target_le
       return whole ? "" : "is not an index";
     case Kind::kNumbers:
       return value.is_array() && value.size() == rule.count &&
-                     std::all_of(value.begin(), value.end(), [](const json& item) { return item.is_number(); })
+                     std::all_of(value.begin(), value.end(),
+                                 [](const json& item) { return item.is_number(); })
                  ? ""
                  : fmt::format("is not an array of {} numbers", rule.count);
   }
@@ -218,10 +222,12 @@ class RuleWalk {
       : source_(source), rule_(rule), target_length_(target_length) {}
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the rule's path
-  [[nodiscard]] Expected<void> visit(const json& value, std::string_view rest, const std::string& place) const {
+  [[nodiscard]] Expected<void> visit(const json& value, std::string_view rest,
+                                     const std::string& place) const {
     if (rest.empty()) {
       const std::string problem = complaint(rule_, value, target_length_);
-      return problem.empty() ? Expected<void>{} : Expected<void>(source_.refuse(place, "the value " + problem));
+      return problem.empty() ? Expected<void>{}
+                             : Expected<void>(source_.refuse(place, "the value " + problem));
     }
     const std::size_t slash = std::min(rest.find('/'), rest.size());
     const std::string_view step = rest.substr(0, slash);
@@ -241,7 +247,8 @@ class RuleWalk {
 
  private:
   // NOLINTNEXTLINE(misc-no-recursion)
-  [[nodiscard]] Expected<void> visitAll(const json& value, std::string_view rest, const std::string& place) const {
+  [[nodiscard]] Expected<void> visitAll(const json& value, std::string_view rest,
+                                        const std::string& place) const {
     std::size_t index = 0;
     for (auto item = value.begin(); item != value.end(); ++item, ++index) {
       const std::string item_place = value.is_object() ? fmt::format("{}.{}", place, cleanName(item.key()))
@@ -260,7 +267,8 @@ class RuleWalk {
 
 Expected<void> checkVersion(const GltfSource& source, const json& root) {
   const auto asset = root.find("asset");
-  if (asset == root.end() || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string()) {
+  if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string()) {
     return source.refuse("asset", "'version' is missing", "the file is not glTF 2.0");
   }
   const std::string version = (*asset)["version"].get<std::string>();
@@ -285,8 +293,10 @@ Expected<void> checkExtensions(const GltfSource& source, const json& root) {
       return source.refuse(place, "the value is not a string");
     }
     const std::string name = (*required)[i].get<std::string>();
-    if (std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), name) == kSupportedExtensions.end()) {
-      return source.refuse(place, fmt::format("the file needs {}, which ssrkit does not read", cleanName(name)),
+    if (std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), name) ==
+        kSupportedExtensions.end()) {
+      return source.refuse(place,
+                           fmt::format("the file needs {}, which ssrkit does not read", cleanName(name)),
                            "export it again without that extension");
     }
   }

@@ -15,8 +15,8 @@ struct GltfSource {
   // ("meshes[0].primitives[1]") or empty.
   [[nodiscard]] tl::unexpected<Error> refuse(const std::string& place, std::string problem,
                                              std::string remedy = {}) const {
-    return inputError("load the scene", std::move(problem), place.empty() ? file.string() : file.string() + ": " + place,
-                      std::move(remedy));
+    return inputError("load the scene", std::move(problem),
+                      place.empty() ? file.string() : file.string() + ": " + place, std::move(remedy));
   }
 };
 

@@ -13,12 +13,12 @@
 
 namespace ssrkit {
 
-// Triangles are not indexed: three vertices each, so that face_normal is constant over a triangle and no API's
-// provoking-vertex rule matters. The layout is what shaders/gbuffer.vert reads.
+// Triangles are not indexed: three vertices each, so that face_normal is constant over a triangle and no
+// API's provoking-vertex rule matters. The layout is what shaders/gbuffer.vert reads.
 struct Vertex {
   glm::vec3 p_world;
-  glm::vec3 normal_world;       // unit, shading
-  glm::vec4 tangent_world;      // unit, w = handedness (+1/-1); (1,0,0,1) where there is no normal map
+  glm::vec3 normal_world;   // unit, shading
+  glm::vec4 tangent_world;  // unit, w = handedness (+1/-1); (1,0,0,1) where there is no normal map
   glm::vec2 uv;
   glm::vec3 face_normal_world;  // unit, geometric, by the triangle's winding (counter-clockwise is outside)
   float material_index;         // row of Scene::materials
@@ -48,11 +48,11 @@ struct Material {
   float alpha_cutoff = 0.5F;
   AlphaMode alpha_mode = AlphaMode::kOpaque;
   bool double_sided = false;
-  bool mirror = false;  // rays are traced from its pixels
-  int base_colour_texture = -1;          // indices into Scene::textures, -1 none; sRGB
-  int metallic_roughness_texture = -1;   // linear; G roughness, B metallic
-  int normal_texture = -1;               // linear, tangent space
-  int emissive_texture = -1;             // sRGB
+  bool mirror = false;                  // rays are traced from its pixels
+  int base_colour_texture = -1;         // indices into Scene::textures, -1 none; sRGB
+  int metallic_roughness_texture = -1;  // linear; G roughness, B metallic
+  int normal_texture = -1;              // linear, tangent space
+  int emissive_texture = -1;            // sRGB
 };
 
 struct DirectionalLight {
@@ -64,9 +64,9 @@ struct PointLight {  // point and spot lights of KHR_lights_punctual
   glm::dvec3 p_world{0.0};
   glm::dvec3 direction_world{0.0, 0.0, -1.0};
   glm::vec3 intensity{1.0F};
-  float range_m = 0.0F;                 // 0: unlimited
+  float range_m = 0.0F;  // 0: unlimited
   float inner_cone_cos = 1.0F;
-  float outer_cone_cos = -1.0F;         // -1: a point light
+  float outer_cone_cos = -1.0F;  // -1: a point light
 };
 
 struct SceneCamera {
@@ -93,14 +93,14 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<DirectionalLight> directional_lights;  // never empty: a default light is added
   std::vector<PointLight> point_lights;
-  std::vector<SceneCamera> cameras;  // never empty: a camera is framed when the file has none
+  std::vector<SceneCamera> cameras;            // never empty: a camera is framed when the file has none
   glm::vec3 sky_horizon{0.55F, 0.65F, 0.75F};  // linear colours of the background gradient
   glm::vec3 sky_zenith{0.18F, 0.30F, 0.55F};
   std::vector<std::string> notes;  // what was defaulted or left out, one sentence each, shown once
 };
 
-// The camera for an image of `size`: the projection takes the image's aspect ratio and the camera's vertical field
-// of view.
+// The camera for an image of `size`: the projection takes the image's aspect ratio and the camera's vertical
+// field of view.
 [[nodiscard]] Camera cameraFor(const SceneCamera& scene_camera, Size size);
 
 }  // namespace ssrkit

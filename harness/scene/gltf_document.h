@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/gltf_source.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace ssrkit {
+
+// Where an image's encoded bytes are: a URI, or a buffer view when the URI is empty.
+struct GltfImageSource {
+  std::string uri;
+  int buffer_view = -1;
+};
+
+// What was left out or mended while a scene was built; each count becomes one note.
+struct GltfTally {
+  std::size_t non_triangle_primitives = 0;
+  std::size_t incomplete_triangles = 0;
+  std::size_t degenerate_triangles = 0;
+  std::size_t mended_normals = 0;
+  std::size_t mended_uvs = 0;
+  std::size_t skinned_nodes = 0;
+  std::size_t morphed_primitives = 0;
+  std::size_t coloured_primitives = 0;
+};
+
+// A glTF document whose structure has been checked: every index in `model` points at something. The model
+// holds no buffers and no images; their bytes are here, and every access to them is checked where it is made.
+struct GltfDocument {
+  GltfSource source;
+  std::shared_ptr<const tinygltf::Model> model;
+  std::vector<std::vector<std::uint8_t>> buffers;
+  std::vector<GltfImageSource> images;
+  std::vector<std::string> notes;
+  GltfTally tally;
+};
+
+[[nodiscard]] Expected<GltfDocument> readGltfDocument(const GltfSource& source);
+
+// The tally as sentences.
+[[nodiscard]] std::vector<std::string> notesOf(const GltfTally& tally);
+
+}  // namespace ssrkit

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "base/error.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_materials.h"
+#include "scene/gltf_nodes.h"
+#include "scene/scene.h"
+
+namespace ssrkit {
+
+// Every mesh of the placed nodes as world-space triangles in `scene.vertices`, with one draw range for each
+// set of textures, in the order in which the file first uses it. Fails without a triangle and above
+// kMaxVertices.
+[[nodiscard]] Expected<void> buildGeometry(GltfDocument& document, const GltfMaterials& materials,
+                                           std::span<const PlacedNode> nodes, Scene& scene);
+
+}  // namespace ssrkit
