@@ -1,0 +1,198 @@
+#include "report/results_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "check/outcome.h"
+
+namespace ssrkit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOf(double value) {
+  if (std::isnan(value)) {
+    return "nan";
+  }
+  if (std::isinf(value)) {
+    return value > 0.0 ? "inf" : "-inf";
+  }
+  return value;
+}
+
+Json numberOf(const std::optional<double>& value) {
+  return value ? numberOf(*value) : Json(nullptr);
+}
+
+Json sizeOf(Size size) {
+  return Json::array({size.width, size.height});
+}
+
+Json parametersOf(const TraceParameters& parameters) {
+  Json json = Json::object();
+  for (const std::string& parameter : parameterNames()) {
+    const std::string text = parameterText(parameters, parameter);
+    const std::optional<double> number = parseNumber(text);
+    const bool is_integer =
+        number && std::isfinite(*number) && text.find_first_not_of("-0123456789") == std::string::npos;
+    json[parameter] = is_integer ? Json(static_cast<long long>(*number))
+                      : number   ? numberOf(*number)
+                                 : Json(text);
+  }
+  return json;
+}
+
+Json deviceOf(const DeviceRow& device) {
+  const DeviceIdentity& identity = device.identity;
+  return {{"id", identity.id},
+          {"api", identity.api},
+          {"driver", identity.driver},
+          {"version", identity.version},
+          {"cpu", identity.cpu},
+          {"cpu_features", identity.cpu_features},
+          {"traits",
+           {{"loop_cap", device.traits.loop_cap},
+            {"device_timer_usable", device.traits.device_timer_usable},
+            {"shader_input", device.traits.shader_input}}}};
+}
+
+// The parameters are those of the trace that the check looked at; null where it looked at none.
+Json checkParametersOf(const CheckResult& check, const RunReport& report) {
+  for (const RunRow& row : report.rows) {
+    if (row.scene == check.scene && row.device == check.device && row.stage == check.stage &&
+        row.size == check.size && row.case_name == check.case_name) {
+      return parametersOf(row.parameters);
+    }
+  }
+  return nullptr;
+}
+
+Json checkOf(const CheckResult& check, const RunReport& report) {
+  return {{"id", check.id},
+          {"scene", check.scene},
+          {"device", check.device},
+          {"stage", check.stage},
+          {"size", sizeOf(check.size)},
+          {"case", check.case_name},
+          {"parameters", checkParametersOf(check, report)},
+          {"outcome", name(check.outcome)},
+          {"metric", check.metric},
+          {"value", numberOf(check.value)},
+          {"bound", {{"min", numberOf(check.min)}, {"max", numberOf(check.max)}}},
+          {"unit", check.unit},
+          {"message", check.message},
+          {"repro", check.repro}};
+}
+
+Json timeOf(const PassTime& time) {
+  return {{"wall_ns", time.wall_ns},
+          {"cpu_ns", time.cpu_ns},
+          {"device_ns", time.device_ns ? Json(*time.device_ns) : Json(nullptr)}};
+}
+
+Json passesOf(const std::vector<PassReport>& passes) {
+  Json json = Json::array();
+  for (const PassReport& pass : passes) {
+    Json steady = Json::array();
+    for (const PassTime& time : pass.steady) {
+      steady.push_back(timeOf(time));
+    }
+    json.push_back({{"pass", pass.pass}, {"cold", timeOf(pass.cold)}, {"steady", std::move(steady)}});
+  }
+  return json;
+}
+
+Json classesOf(const TraceSummary& summary) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < summary.classes.size(); ++i) {
+    json[name(static_cast<RayClass>(i))] = summary.classes[i];
+  }
+  return json;
+}
+
+Json verdictsOf(const VerdictCounts& verdicts) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    json[name(static_cast<Verdict>(i))] = verdicts[i];
+  }
+  return json;
+}
+
+Json traceOf(const RunRow& row) {
+  Json json = {{"scene", row.scene},
+               {"device", row.device},
+               {"stage", row.stage},
+               {"size", sizeOf(row.size)},
+               {"case", row.case_name},
+               {"parameters", parametersOf(row.parameters)},
+               {"outcome", name(row.outcome)},
+               {"classes", nullptr},
+               {"lookups", nullptr},
+               {"verdicts", nullptr},
+               {"passes", passesOf(row.passes)}};
+  if (row.summary) {
+    const LookupSummary& lookups = row.summary->lookups;
+    json["classes"] = classesOf(*row.summary);
+    json["lookups"] = {{"mean", numberOf(lookups.mean)},
+                       {"p50", numberOf(lookups.p50)},
+                       {"p95", numberOf(lookups.p95)},
+                       {"max", numberOf(lookups.max)}};
+    json["verdicts"] = row.summary->verdicts ? verdictsOf(*row.summary->verdicts) : Json(nullptr);
+  }
+  return json;
+}
+
+Json summaryOf(const std::vector<CheckResult>& checks) {
+  std::vector<Outcome> outcomes;
+  Json counts = Json::object();
+  for (const CheckResult& check : checks) {
+    outcomes.push_back(check.outcome);
+    Json& count = counts[name(check.outcome)];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
+  return {
+      {"outcomes", std::move(counts)}, {"line", closingLine(outcomes)}, {"exit_code", exitCode(outcomes)}};
+}
+
+template <class Rows, class Convert>
+Json listOf(const Rows& rows, const Convert& convert) {
+  Json json = Json::array();
+  for (const auto& row : rows) {
+    json.push_back(convert(row));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string resultsJson(const RunReport& report) {
+  const auto frameOf = [](const FrameRow& row) -> Json {
+    return {{"scene", row.scene},
+            {"device", row.device},
+            {"size", sizeOf(row.size)},
+            {"passes", passesOf(row.passes)}};
+  };
+  const Json json = {
+      {"schema", "ssrkit-results"},
+      {"schema_version", kResultsSchemaVersion},
+      {"kit_version", report.kit_version},
+      {"started", report.started},
+      {"command", report.command},
+      {"summary", summaryOf(report.checks)},
+      {"devices", listOf(report.devices, deviceOf)},
+      {"checks", listOf(report.checks, [&](const CheckResult& check) { return checkOf(check, report); })},
+      {"traces", listOf(report.rows, traceOf)},
+      {"frames", listOf(report.frames, frameOf)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Expected<void> writeResultsJson(const std::filesystem::path& path, const RunReport& report) {
+  return writeFileAtomically(path, resultsJson(report));
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,82 @@
+#include "report/run_report.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/check.h"
+#include "check/percentile.h"
+
+namespace ssrkit {
+
+namespace {
+
+bool isTraced(const RayHit& ray) {
+  return ray.ray_class != RayClass::kMasked && ray.ray_class != RayClass::kBackground;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double medianOrCold_ms(const PassReport& pass, std::int64_t PassTime::*field) {
+  constexpr double kMsPerNs = 1e-6;
+  if (pass.steady.empty()) {
+    return kMsPerNs * static_cast<double>(pass.cold.*field);
+  }
+  std::vector<double> times;
+  for (const PassTime& time : pass.steady) {
+    times.push_back(kMsPerNs * static_cast<double>(time.*field));
+  }
+  return median(std::move(times));
+}
+
+}  // namespace
+
+TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdicts) {
+  TraceSummary summary;
+  std::vector<double> lookups;
+  for (const RayHit& ray : record.rays) {
+    ++summary.classes.at(static_cast<std::size_t>(ray.ray_class));
+    if (isTraced(ray)) {
+      lookups.push_back(ray.lookups);
+    }
+  }
+  summary.traced_rays = lookups.size();
+  if (!lookups.empty()) {
+    const double total = std::accumulate(lookups.begin(), lookups.end(), 0.0);
+    std::ranges::sort(lookups);
+    summary.lookups = {total / static_cast<double>(lookups.size()), percentileOf(lookups, 50),
+                       percentileOf(lookups, 95), lookups.back()};
+  }
+  if (!verdicts.empty()) {
+    SSRKIT_CHECK_EQ(verdicts.size(), record.rays.size());
+    summary.verdicts = countVerdicts(verdicts);
+  }
+  return summary;
+}
+
+std::optional<TraceCost> traceCost(std::span<const PassReport> passes) {
+  std::optional<TraceCost> cost;
+  for (const PassReport& pass : passes) {
+    if (pass.pass.starts_with("trace") || pass.pass.starts_with("pyramid")) {
+      cost = cost.value_or(TraceCost{});
+      cost->cpu_ms += medianOrCold_ms(pass, &PassTime::cpu_ns);
+      cost->wall_ms += medianOrCold_ms(pass, &PassTime::wall_ns);
+    }
+  }
+  return cost;
+}
+
+std::optional<double> sameFraction(const VerdictCounts& verdicts) {
+  const std::size_t all = std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0});
+  const std::size_t compared = all - verdicts.at(static_cast<std::size_t>(Verdict::kNone));
+  if (compared == 0) {
+    return std::nullopt;
+  }
+  return static_cast<double>(verdicts.at(static_cast<std::size_t>(Verdict::kSame))) /
+         static_cast<double>(compared);
+}
+
+}  // namespace ssrkit
