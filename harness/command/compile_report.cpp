@@ -5,26 +5,18 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <ranges>
 #include <string_view>
 #include <vector>
+
+#include "command/compile_names.h"
+#include "shader/source_tree.h"
 
 namespace ssrkit {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kColumns = 100;
-
-std::string apiName(ShaderTarget target) {
-  return target == ShaderTarget::kVulkan ? "Vulkan 1.1" : "OpenGL 4.5";
-}
-
-std::string scalarName(ScalarType type) {
-  return type == ScalarType::kFloat ? "float" : type == ScalarType::kInt ? "int" : "uint";
-}
 
 std::string vectorName(ScalarType type, std::uint32_t size) {
   if (size == 1) {
@@ -38,10 +30,6 @@ std::string memberType(const BlockMember& member) {
   std::string type = member.columns > 1 ? fmt::format("mat{}x{}", member.columns, member.rows)
                                         : vectorName(member.type, member.rows);
   return member.array_count == 0 ? type : fmt::format("{}[{}]", type, member.array_count);
-}
-
-std::string samplerName(SamplerKind kind) {
-  return kind == SamplerKind::kFloat ? "sampler" : kind == SamplerKind::kInt ? "isampler" : "usampler";
 }
 
 std::string defaultText(const SpecConstantInfo& constant) {
@@ -111,102 +99,47 @@ std::string coloured(std::string text, std::string_view code, bool use_colour) {
   return use_colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
 
-std::string resultText(const CompileResult& result, bool use_colour) {
-  const std::string api = apiName(result.target);
+// All but the name of the API, so that two targets with one fault are told as one.
+std::string faultText(const Error& error) {
+  Error first = error;
+  first.reasons.clear();
+  first.attempted = "compile it";
+  std::string text = wrapped("  " + sentence(first), 4) + "\n";
+  for (std::size_t i = 1; i < error.reasons.size(); ++i) {
+    text += wrapped("  " + error.reasons[i], 4) + "\n";
+  }
+  return text;
+}
+
+std::string headline(const CompileResult& result, bool use_colour) {
   if (!result.module) {
-    std::string text = coloured(fmt::format("{}: does not compile", api), "31", use_colour) + "\n";
-    const Error& error = result.module.error();
-    Error first = error;
-    first.reasons.clear();
-    text += wrapped("  " + sentence(first), 4) + "\n";
-    for (std::size_t i = 1; i < error.reasons.size(); ++i) {
-      text += wrapped("  " + error.reasons[i], 4) + "\n";
-    }
-    return text;
+    return coloured(fmt::format("{}: does not compile", apiName(result.target)), "31", use_colour) + "\n";
   }
   const ShaderModule& module = *result.module;
   constexpr double kNsPerMs = 1e6;
   const std::size_t words = module.spirv.size();
-  return coloured(fmt::format("{}: compiles", api), "32", use_colour) +
+  return coloured(fmt::format("{}: compiles", apiName(result.target)), "32", use_colour) +
          fmt::format(", {} bytes ({} words), {:.1f} ms{}\n", words * sizeof(std::uint32_t), words,
                      static_cast<double>(result.wall_ns) / kNsPerMs,
-                     module.from_cache ? ", from the cache" : "") +
-         interfaceText(module.interface);
+                     module.from_cache ? ", from the cache" : "");
 }
 
-Json memberJson(const BlockMember& member) {
-  return {{"name", member.name},
-          {"type", scalarName(member.type)},
-          {"offset_bytes", member.offset_bytes},
-          {"rows", member.rows},
-          {"columns", member.columns},
-          {"matrix_stride_bytes", member.matrix_stride_bytes},
-          {"array_count", member.array_count},
-          {"array_stride_bytes", member.array_stride_bytes}};
+std::string bodyText(const CompileResult& result) {
+  return result.module ? interfaceText(result.module->interface) : faultText(result.module.error());
 }
 
-Json variablesJson(const std::vector<StageVariable>& variables) {
-  Json list = Json::array();
-  for (const StageVariable& variable : variables) {
-    list.push_back({{"name", variable.name},
-                    {"location", variable.location},
-                    {"type", scalarName(variable.type)},
-                    {"components", variable.components}});
+std::string includesText(std::span<const CompileResult> results) {
+  const auto compiled = std::ranges::find_if(results, [](const CompileResult& result) {
+    return result.module && result.module->dependencies.size() > 1;
+  });
+  if (compiled == results.end()) {
+    return {};
   }
-  return list;
-}
-
-Json interfaceJson(const ShaderInterface& interface) {
-  Json samplers = Json::array();
-  for (const SamplerBinding& sampler : interface.samplers) {
-    samplers.push_back(
-        {{"name", sampler.name}, {"binding", sampler.binding}, {"kind", samplerName(sampler.kind)}});
+  std::string text = "includes\n";
+  for (const std::filesystem::path& path : compiled->module->dependencies | std::views::drop(1)) {
+    text += wrapped("  " + shownPath(path), 4) + "\n";
   }
-  Json blocks = Json::array();
-  for (const UniformBlock& block : interface.uniform_blocks) {
-    Json members = Json::array();
-    std::ranges::transform(block.members, std::back_inserter(members), memberJson);
-    blocks.push_back({{"name", block.name},
-                      {"binding", block.binding},
-                      {"size_bytes", block.size_bytes},
-                      {"members", std::move(members)}});
-  }
-  Json constants = Json::array();
-  for (const SpecConstantInfo& constant : interface.spec_constants) {
-    constants.push_back({{"name", constant.name},
-                         {"id", constant.id},
-                         {"type", scalarName(constant.type)},
-                         {"default_bits", constant.default_bits}});
-  }
-  return {{"samplers", std::move(samplers)},
-          {"uniform_blocks", std::move(blocks)},
-          {"inputs", variablesJson(interface.inputs)},
-          {"outputs", variablesJson(interface.outputs)},
-          {"spec_constants", std::move(constants)}};
-}
-
-Json resultJson(const CompileResult& result) {
-  Json json = {{"api", apiName(result.target)}, {"compiles", result.module.has_value()}};
-  if (!result.module) {
-    const Error& error = result.module.error();
-    json["error"] = {{"where", error.where},
-                     {"attempted", error.attempted},
-                     {"problem", error.problem},
-                     {"remedy", error.remedy},
-                     {"reasons", error.reasons}};
-    return json;
-  }
-  const ShaderModule& module = *result.module;
-  json["spirv_words"] = module.spirv.size();
-  json["spirv_bytes"] = module.spirv.size() * sizeof(std::uint32_t);
-  json["from_cache"] = module.from_cache;
-  json["time_ns"] = result.wall_ns;
-  json["interface"] = interfaceJson(module.interface);
-  json["dependencies"] = Json::array();
-  for (const std::filesystem::path& path : module.dependencies) {
-    json["dependencies"].push_back(path.string());
-  }
-  return json;
+  return text;
 }
 
 }  // namespace
@@ -214,26 +147,15 @@ Json resultJson(const CompileResult& result) {
 std::string compileReportText(const std::string& file, std::span<const CompileResult> results,
                               bool use_colour) {
   std::string text = wrapped(file, 4) + "\n";
-  for (const CompileResult& result : results) {
-    text += resultText(result, use_colour);
-  }
-  for (const CompileResult& result : results) {
-    if (result.module && result.module->dependencies.size() > 1) {
-      text += "includes\n";
-      for (std::size_t i = 1; i < result.module->dependencies.size(); ++i) {
-        text += wrapped("  " + result.module->dependencies[i].string(), 4) + "\n";
-      }
-      break;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    text += headline(results[i], use_colour);
+    const std::string body = bodyText(results[i]);
+    if (i + 1 == results.size() || bodyText(results[i + 1]) != body) {  // the same for the next: shown once
+      text += body;
     }
   }
+  text += includesText(results);
   return text;
-}
-
-std::string compileReportJson(const std::string& file, std::span<const CompileResult> results) {
-  Json json = {{"file", file}, {"targets", Json::array()}};
-  std::ranges::transform(results, std::back_inserter(json["targets"]), resultJson);
-  // Bytes of a shader that are no UTF-8 must not throw here.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ssrkit

@@ -1,0 +1,8 @@
+// Ctrl-C and its kin: workers are ended, unfinished files removed, nothing else of the run is touched.
+#pragma once
+
+namespace ssrkit {
+
+void endCleanlyOnSignals();
+
+}  // namespace ssrkit

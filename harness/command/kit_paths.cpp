@@ -1,0 +1,17 @@
+#include "command/kit_paths.h"
+
+#include <cstdlib>
+
+namespace ssrkit {
+
+KitPaths kitPaths() {
+  const char* const given = std::getenv("SSRKIT_ROOT");
+  const std::filesystem::path root = given != nullptr ? given : SSRKIT_SOURCE_DIR;
+  return {.root = root,
+          .shaders = root / "shaders",
+          .scenes = root / "scenes",
+          .expectations = root / "tests" / "expect",
+          .build = SSRKIT_BUILD_DIR};
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,18 @@
+// Where the kit's own files are: the source tree, or the folder that SSRKIT_ROOT names.
+#pragma once
+
+#include <filesystem>
+
+namespace ssrkit {
+
+struct KitPaths {
+  std::filesystem::path root;
+  std::filesystem::path shaders;
+  std::filesystem::path scenes;
+  std::filesystem::path expectations;
+  std::filesystem::path build;  // where the unit tests are
+};
+
+[[nodiscard]] KitPaths kitPaths();
+
+}  // namespace ssrkit

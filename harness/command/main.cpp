@@ -1,0 +1,124 @@
+// The command line: options to plain structs, errors to sentences and exit codes.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <functional>
+
+#include "command/compile.h"
+#include "command/devices.h"
+#include "command/interrupt.h"
+#include "command/kit_paths.h"
+#include "command/run.h"
+#include "command/test.h"
+#include "report/table.h"
+#include "worker/supervisor.h"
+
+namespace ssrkit {
+
+namespace {
+
+using Command = std::function<Expected<int>()>;
+
+constexpr int kWorkerSocket = 3;
+
+void addRun(CLI::App& app, RunOptions& options, Command& command) {
+  CLI::App* run = app.add_subcommand("run", "Trace scenes, check the answers, write files and a table");
+  run->add_option("--scene", options.scenes,
+                  "A built-in scene or a glTF 2.0 file (default: all built-in scenes)");
+  run->add_option("--stage", options.stages, "naive, refined, dda, hiz, walk (default: the first four)");
+  run->add_option("--device", options.devices,
+                  "A device of `ssrkit devices` (default: gl-osmesa and vk-lavapipe)");
+  run->add_option("--size", options.size, "WIDTHxHEIGHT in texels")->capture_default_str();
+  run->add_option("--param", options.parameters,
+                  "NAME=VALUE of the tracing parameters, for example thickness_m=0.3");
+  run->add_option("--out", options.out, "The folder for results.json, EXR and PNG files")
+      ->capture_default_str();
+  run->add_option("--camera", options.camera, "A camera of the scene by name (default: its first)");
+  run->add_option("--mirror", options.mirror,
+                  "The material to trace rays from (default: the scene's own mirrors)");
+  run->add_option("--gbuffer", options.gbuffer,
+                  "Trace the G-buffer in this folder (EXR images and camera.json)");
+  run->add_option("--replace", options.replacements, "PASS=FILE: put a shader of your own in a pass's place");
+  run->add_flag("--json", options.json, "Print results.json instead of the table");
+  run->callback([&] { command = [&] { return runCommand(options); }; });
+}
+
+void addTest(CLI::App& app, TestOptions& options, Command& command) {
+  CLI::App* test = app.add_subcommand("test", "Run the unit tests and every expectation file");
+  test->add_option("--filter", options.filter, "Names to run, * stands for any text")->capture_default_str();
+  test->add_option("--only", options.only, "unit: no expectation files; expect: nothing else")
+      ->check(CLI::IsMember({"unit", "expect"}));
+  test->add_option("--device", options.devices, "Devices of the expectation files that name none");
+  test->add_option("--out", options.out, "The folder for results.json")->capture_default_str();
+  test->add_flag("--list", options.list, "Print the names instead of running");
+  test->callback([&] { command = [&] { return testCommand(options); }; });
+}
+
+void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command) {
+  CLI::App* compile =
+      app.add_subcommand("compile", "Show what the compiler says about one shader, for both APIs");
+  compile->add_option("file", options.file, "A .vert or .frag file")->required();
+  compile->add_flag("--optimise", options.optimise, "Run spirv-opt -O too");
+  compile->add_flag("--json", options.json, "Print JSON");
+  compile->callback([&] {
+    command = [&] {
+      options.shader_root = kitPaths().shaders;
+      options.use_colour = wantsColour(STDOUT_FILENO);
+      return compileCommand(options);
+    };
+  });
+}
+
+void addDevices(CLI::App& app, bool& json, Command& command) {
+  CLI::App* devices =
+      app.add_subcommand("devices", "Show the devices, their drivers and what the probe found");
+  devices->add_flag("--json", json, "Print JSON");
+  devices->callback([&] { command = [&] { return devicesCommand(json); }; });
+}
+
+int commandLine(int argc, char** argv) {
+  CLI::App app("Test and teaching kit for screen-space reflections", "ssrkit");
+  app.set_version_flag("--version", SSRKIT_VERSION);
+  app.require_subcommand(1);
+  const std::vector<std::string> command_line(argv, argv + argc);
+  RunOptions run;
+  TestOptions test;
+  CompileCommandOptions compile;
+  bool devices_json = false;
+  run.command = command_line;
+  run.command.front() = "./ssrkit";
+  test.command = run.command;
+  Command command;
+  addRun(app, run, command);
+  addTest(app, test, command);
+  addDevices(app, devices_json, command);
+  addCompile(app, compile, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "ssrkit: could not read the command line: {}; see ./ssrkit --help\n", error.what());
+    return 2;
+  }
+  const Expected<int> code = command();
+  if (!code) {
+    fmt::print(stderr, "ssrkit: {}\n", sentence(code.error()));
+    return exitCode(code.error());
+  }
+  return *code;
+}
+
+}  // namespace
+
+}  // namespace ssrkit
+
+int main(int argc, char** argv) {
+  if (argc == 3 && std::strcmp(argv[1], "__worker") == 0) {
+    return ssrkit::workerMain(argv[2], ssrkit::kWorkerSocket);
+  }
+  ssrkit::endCleanlyOnSignals();
+  return ssrkit::commandLine(argc, argv);
+}

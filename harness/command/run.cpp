@@ -1,0 +1,261 @@
+#include "command/run.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <future>
+#include <memory>
+#include <set>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "check/read_expectations.h"
+#include "command/kit_paths.h"
+#include "command/progress_line.h"
+#include "command/run_files.h"
+#include "command/suite.h"
+#include "frame/stages.h"
+#include "report/results_json.h"
+#include "report/table.h"
+#include "scene/find_scene.h"
+
+namespace ssrkit {
+
+namespace {
+
+Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitPaths& paths) {
+  std::vector<SceneSource> list;
+  if (!options.gbuffer.empty()) {
+    if (!options.scenes.empty()) {
+      return inputError("run", "--gbuffer and --scene were both given", "", "trace one or the other");
+    }
+    auto files = readGbuffer(options.gbuffer);
+    if (!files) {
+      return tl::make_unexpected(files.error());
+    }
+    const std::string name = files->name;
+    list.push_back({.name = name,
+                    .file = {},
+                    .gbuffer = std::make_shared<GbufferFiles>(std::move(*files)),
+                    .camera_name = "",
+                    .defaults = {}});
+    return list;
+  }
+  std::set<std::string> names;
+  for (const std::string& scene : options.scenes.empty() ? builtInScenes(paths.scenes) : options.scenes) {
+    auto source = Suite::source(scene, paths.scenes);
+    if (!source) {
+      return tl::make_unexpected(source.error());
+    }
+    source->camera_name = options.camera;
+    if (!names.insert(source->name).second) {
+      return inputError("run", fmt::format("two scenes are called '{}'", source->name), scene,
+                        "their files would overwrite each other, run them one by one");
+    }
+    list.push_back(std::move(*source));
+  }
+  return list;
+}
+
+// The built-in checks for any scene, with the stages and parameters that were asked for.
+Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths) {
+  auto files = loadExpectations(paths.expectations / "standard.toml");
+  if (!files) {
+    return tl::make_unexpected(files.error());
+  }
+  TestFile test = std::move(files->front());
+  test.stages.clear();
+  for (const std::string& stage : options.stages) {
+    if (const auto found = findStage(stage); !found) {
+      return tl::make_unexpected(found.error());
+    }
+    if (std::ranges::find(test.stages, stage) == test.stages.end()) {
+      test.stages.push_back(stage);
+    }
+  }
+  test.cases = {TestCase{}};
+  TraceParameters scratch;
+  for (const std::string& assignment : options.parameters) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      return inputError("read --param", fmt::format("'{}' is not NAME=VALUE", assignment), "--param");
+    }
+    const std::string name = assignment.substr(0, equals);
+    const std::string value = assignment.substr(equals + 1);
+    if (const auto set = setParameter(scratch, name, value, "--param"); !set) {
+      return tl::make_unexpected(set.error());
+    }
+    test.cases.front().parameters.emplace_back(name, value);
+  }
+  return test;
+}
+
+Expected<std::vector<ShaderReplacement>> replacements(const RunOptions& options) {
+  std::vector<ShaderReplacement> list;
+  for (const std::string& assignment : options.replacements) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == assignment.size()) {
+      return inputError("read --replace", fmt::format("'{}' is not PASS=FILE", assignment), "--replace");
+    }
+    list.push_back({.pass = assignment.substr(0, equals), .file = assignment.substr(equals + 1)});
+  }
+  return list;
+}
+
+// Fails before any work is done when nothing could be written afterwards.
+Expected<void> prepareFolder(const std::filesystem::path& folder) {
+  const std::string attempted = "write to the output folder";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    return setupError(attempted, error.message(), folder.string(), "choose another one with --out");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    return setupError(attempted, std::strerror(errno), folder.string(), "choose another one with --out");
+  }
+  return {};
+}
+
+std::string utcNow() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+void printFailures(const std::vector<CheckResult>& checks) {
+  for (const CheckResult& check : checks) {
+    if (isFailure(check.outcome)) {
+      fmt::print("\n{}: {}\n{}\n", name(check.outcome), fullName(check), check.message);
+      if (!check.repro.empty()) {
+        fmt::print("  rerun: {}\n", check.repro);
+      }
+    }
+  }
+}
+
+// 2 or 3 when a scene could not be run at all, for the reason that the first one gives.
+int exitCodeOf(const RunReport& report, const std::optional<Error>& first_error) {
+  std::vector<Outcome> outcomes;
+  for (const CheckResult& check : report.checks) {
+    outcomes.push_back(check.outcome);
+  }
+  return first_error ? exitCode(*first_error) : exitCode(outcomes);
+}
+
+void print(const RunReport& report, const RunOptions& options) {
+  if (options.json) {
+    fmt::print("{}", resultsJson(report));
+    return;
+  }
+  fmt::print("{}", runTable(report.rows, {.colour = wantsColour(STDOUT_FILENO), .width = 100}));
+  printFailures(report.checks);
+  std::vector<Outcome> outcomes;
+  for (const CheckResult& check : report.checks) {
+    outcomes.push_back(check.outcome);
+  }
+  fmt::print("\nwritten to {}\n{}\n", options.out.string(), closingLine(outcomes));
+}
+
+}  // namespace
+
+Expected<Size> parseSize(const std::string& text) {
+  constexpr int kMaxSide = 16384;
+  Size size;
+  const char* const end = text.data() + text.size();
+  const auto [after_width, width_error] = std::from_chars(text.data(), end, size.width);
+  const bool has_separator = width_error == std::errc() && after_width != end && *after_width == 'x';
+  const auto [after_height, height_error] = has_separator
+                                                ? std::from_chars(after_width + 1, end, size.height)
+                                                : std::from_chars_result{end, std::errc::invalid_argument};
+  if (height_error != std::errc() || after_height != end || size.width < 1 || size.height < 1 ||
+      size.width > kMaxSide || size.height > kMaxSide) {
+    return inputError("read the size",
+                      fmt::format("'{}' is not WIDTHxHEIGHT with sides from 1 to {}", text, kMaxSide),
+                      "--size", "write for example --size 640x360");
+  }
+  return size;
+}
+
+Expected<int> runCommand(const RunOptions& options) {
+  const KitPaths paths = kitPaths();
+  const auto size = parseSize(options.size);
+  auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
+  auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());
+  auto scenes = replaced ? sources(options, paths) : tl::make_unexpected(replaced.error());
+  const auto folder = scenes ? prepareFolder(options.out) : tl::make_unexpected(scenes.error());
+  if (!folder) {
+    return tl::make_unexpected(folder.error());
+  }
+  ProgressLine progress;
+  auto suite = Suite::create({.shader_root = paths.shaders,
+                              .scenes_root = paths.scenes,
+                              .devices = options.devices,
+                              .size = *size,
+                              .mirror_material = options.mirror,
+                              .replacements = *replaced,
+                              .limits = {},
+                              .want_images = true,
+                              .always_oracle = true,
+                              .command = fmt::format("{}", fmt::join(options.command, " ")),
+                              .progress = [&](const std::string& text) { progress.show(text); }});
+  if (!suite) {
+    return tl::make_unexpected(suite.error());
+  }
+  RunReport report{.kit_version = SSRKIT_VERSION, .started = utcNow(), .command = options.command};
+  const auto infos = (*suite)->devices();
+  if (!infos) {
+    return tl::make_unexpected(infos.error());
+  }
+  for (const auto& [id, info] : *infos) {
+    report.devices.push_back({info.identity, info.traits});
+  }
+  std::optional<Error> first_error;
+  std::future<Expected<void>> writing;
+  const auto finishWriting = [&]() -> Expected<void> {
+    return writing.valid() ? writing.get() : Expected<void>{};
+  };
+  std::set<std::string> notes;
+  for (const SceneSource& source : *scenes) {
+    auto run = std::make_shared<SceneRun>((*suite)->run(*test, source));
+    std::vector<RunRow> rows = runRows(*run);
+    for (const CellRun& cell : run->cells) {
+      if (cell.error && !first_error) {
+        first_error = cell.error;
+      }
+      if (cell.result) {
+        report.frames.push_back({source.name, cell.device, cell.size, cell.result->frame_passes});
+        for (const std::string& note : cell.result->notes) {
+          notes.insert(fmt::format("{}: {}", source.name, note));
+        }
+      }
+    }
+    report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+    report.checks.insert(report.checks.end(), run->checks.begin(), run->checks.end());
+    // The files of one scene are written while the next one is traced.
+    if (const auto written = finishWriting(); !written) {
+      return tl::make_unexpected(written.error());
+    }
+    writing = std::async(std::launch::async,
+                         [run, rows, out = options.out] { return writeSceneFiles(out, *run, rows); });
+  }
+  progress.show("writing files");
+  if (const auto written = finishWriting(); !written) {
+    return tl::make_unexpected(written.error());
+  }
+  if (const auto written = writeResultsJson(options.out / "results.json", report); !written) {
+    return tl::make_unexpected(written.error());
+  }
+  progress.clear();
+  for (const std::string& note : notes) {
+    fmt::print(stderr, "note: {}\n", note);
+  }
+  print(report, options);
+  return exitCodeOf(report, first_error);
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,35 @@
+// `ssrkit run`: traces scenes with every stage on every device, checks the answers, writes files and prints a
+// table.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/size.h"
+
+namespace ssrkit {
+
+struct RunOptions {
+  std::vector<std::string> scenes;  // built-in names or files; empty: all built-in scenes
+  std::vector<std::string> stages{"naive", "refined", "dda", "hiz"};
+  std::vector<std::string> devices{"gl-osmesa", "vk-lavapipe"};
+  std::string size = "640x360";
+  std::vector<std::string> parameters;  // "thickness_m=0.3"
+  std::filesystem::path out = "out/run";
+  std::string camera;
+  std::string mirror;
+  std::filesystem::path gbuffer;          // a folder; then no scene is rendered
+  std::vector<std::string> replacements;  // "trace_hiz=my.frag"
+  bool json = false;                      // results.json on standard output in the place of the table
+  std::vector<std::string> command;       // argv, for the report
+};
+
+// The exit code of design section 6, after printing; errors that stop the run before it starts are returned.
+[[nodiscard]] Expected<int> runCommand(const RunOptions& options);
+
+// "640x360": two whole numbers from 1 to 16384.
+[[nodiscard]] Expected<Size> parseSize(const std::string& text);
+
+}  // namespace ssrkit

@@ -1,0 +1,209 @@
+#include "command/run_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "image/colour_map.h"
+#include "image/exr.h"
+#include "image/png.h"
+#include "report/contact_sheet.h"
+#include "spaces/camera_json.h"
+
+namespace ssrkit {
+
+namespace {
+
+using Write = std::function<Expected<void>()>;
+
+constexpr const char* kColourImages[] = {"albedo",   "normal_view", "material",
+                                         "emission", "dist_view",   "depth_window"};
+
+// Runs the writes on all cores; the first error is the answer, and no further write is started after it.
+Expected<void> writeAll(const std::vector<Write>& writes) {
+  std::size_t next = 0;
+  std::optional<Error> failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    while (true) {
+      std::unique_lock lock(mutex);
+      if (failure || next == writes.size()) {
+        return;
+      }
+      const Write& write = writes[next++];
+      lock.unlock();
+      if (auto written = write(); !written) {
+        lock.lock();
+        failure = std::move(written.error());
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+      threads.emplace_back(work);
+    }
+  }
+  return failure ? Expected<void>(tl::make_unexpected(std::move(*failure))) : Expected<void>{};
+}
+
+// The composite, with the reflection as a layer of its own.
+Image colourFile(const TraceResult& trace) {
+  Image colour(trace.composite->size,
+               {"R", "G", "B", "reflection.R", "reflection.G", "reflection.B", "reflection.A"});
+  for (std::size_t texel = 0; texel < colour.texelCount(); ++texel) {
+    std::copy_n(trace.composite->data.data() + 3 * texel, 3, colour.data.data() + 7 * texel);
+    std::copy_n(trace.reflection->data.data() + 4 * texel, 4, colour.data.data() + 7 * texel + 3);
+  }
+  return colour;
+}
+
+std::vector<Verdict> verdictsOf(const CellRun& cell, std::size_t trace) {
+  const CellRun::Truth* truth = cell.truth_of_trace.empty() ? nullptr : cell.truth_of_trace[trace];
+  return truth == nullptr ? std::vector<Verdict>{}
+                          : compareWithOracle(cell.result->traces[trace].record, truth->result, truth->input);
+}
+
+std::string thicknessText(const TraceParameters& parameters) {
+  if (parameters.thickness_rel > 0.0) {
+    return fmt::format("{:g} m + {:g} %", parameters.thickness_m, 100.0 * parameters.thickness_rel);
+  }
+  return fmt::format("{:g} m", parameters.thickness_m);
+}
+
+Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell, const std::string& scene,
+                          const std::vector<RunRow>& rows) {
+  auto painter = TextPainter::load();
+  if (!painter) {
+    return tl::make_unexpected(painter.error());
+  }
+  std::vector<std::vector<Verdict>> verdicts;
+  for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
+    verdicts.push_back(verdictsOf(cell, i));
+  }
+  ContactSheet sheet{.scene = scene,
+                     .device = cell.device,
+                     .thickness = thicknessText(cell.result->traces.front().parameters),
+                     .lit = &cell.result->images.at("lit"),
+                     .exposure = 1.0,
+                     .stages = {}};
+  for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
+    const TraceResult& trace = cell.result->traces[i];
+    SheetStage stage{.stage = trace.stage,
+                     .record = &trace.record,
+                     .composite = trace.composite ? &*trace.composite : nullptr,
+                     .verdicts = verdicts[i],
+                     .cpu_ms = std::nullopt};
+    const auto row = std::ranges::find_if(rows, [&](const RunRow& candidate) {
+      return candidate.device == cell.device && candidate.stage == trace.stage;
+    });
+    if (row != rows.end()) {
+      if (const auto cost = traceCost(row->passes)) {
+        stage.cpu_ms = cost->cpu_ms;
+      }
+    }
+    sheet.stages.push_back(stage);
+  }
+  return writeContactSheet(file, sheet, *painter);
+}
+
+void addCellWrites(const std::filesystem::path& folder, const CellRun& cell, const SceneRun& run,
+                   const std::vector<RunRow>& rows, std::vector<Write>& writes) {
+  const JobResult& result = *cell.result;
+  const std::filesystem::path device_folder = folder / cell.device;
+  writes.push_back([=, &cell, &run, &rows] {
+    return writeSheet(device_folder / "contact_sheet.png", cell, run.source->name, rows);
+  });
+  for (const char* name : kColourImages) {
+    if (const auto image = result.images.find(name); image != result.images.end()) {
+      writes.push_back([=, &picture = image->second] {
+        return writeExr(device_folder / "gbuffer" / (std::string(name) + ".exr"), picture);
+      });
+    }
+  }
+  writes.push_back([=, &lit = result.images.at("lit")] { return writeExr(device_folder / "lit.exr", lit); });
+  writes.push_back(
+      [=, &lit = result.images.at("lit")] { return writePng(device_folder / "lit.png", toneMap(lit)); });
+  for (const TraceResult& trace : result.traces) {
+    const std::filesystem::path stage_folder = device_folder / trace.stage;
+    writes.push_back([=, &trace] { return writeExr(stage_folder / "hit.exr", toImage(trace.record)); });
+    if (trace.composite) {
+      writes.push_back([=, &trace] { return writeExr(stage_folder / "color.exr", colourFile(trace)); });
+      writes.push_back(
+          [=, &trace] { return writePng(stage_folder / "composite.png", toneMap(*trace.composite)); });
+    }
+  }
+}
+
+Outcome worstOutcome(const SceneRun& run, const CellRun& cell, const TraceResult& trace) {
+  Outcome worst = Outcome::kPass;
+  for (const CheckResult& check : run.checks) {
+    const bool concerns = check.device == cell.device && check.size == cell.size &&
+                          (check.stage == trace.stage || check.stage.empty());
+    if (!concerns) {
+      continue;
+    }
+    const bool is_worse = isFailure(check.outcome)
+                              ? !isFailure(worst)
+                              : worst == Outcome::kPass && check.outcome != Outcome::kPass;
+    worst = is_worse ? check.outcome : worst;
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<RunRow> runRows(const SceneRun& run) {
+  std::vector<RunRow> rows;
+  for (const CellRun& cell : run.cells) {
+    if (!cell.result) {
+      continue;
+    }
+    for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
+      const TraceResult& trace = cell.result->traces[i];
+      rows.push_back({.scene = run.source->name,
+                      .device = cell.device,
+                      .stage = trace.stage,
+                      .case_name = cell.case_of_trace[i],
+                      .size = cell.size,
+                      .parameters = trace.parameters,
+                      .outcome = worstOutcome(run, cell, trace),
+                      .summary = summarise(trace.record, verdictsOf(cell, i)),
+                      .passes = trace.passes});
+    }
+  }
+  return rows;
+}
+
+Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneRun& run,
+                               const std::vector<RunRow>& rows) {
+  std::vector<Write> writes;
+  const std::filesystem::path scene_folder = folder / run.source->name;
+  bool has_shared_files = false;
+  for (const CellRun& cell : run.cells) {
+    if (!cell.result || cell.error) {
+      continue;
+    }
+    addCellWrites(scene_folder, cell, run, rows, writes);
+    if (!has_shared_files) {
+      has_shared_files = true;
+      writes.push_back([&cell, scene_folder] {
+        return writeFileAtomically(scene_folder / "camera.json", toJson(cell.result->camera));
+      });
+      // The oracle's answer over the first device's G-buffer.
+      if (!cell.truths.empty()) {
+        writes.push_back([&cell, scene_folder] {
+          return writeExr(scene_folder / "oracle" / "hit.exr", toImage(cell.truths.front().result.record));
+        });
+      }
+    }
+  }
+  return writeAll(writes);
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,19 @@
+// What `run` writes for each scene (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "command/suite.h"
+#include "report/run_report.h"
+
+namespace ssrkit {
+
+// Writes DIR/SCENE/...; `rows` are the run's rows of this scene, for the contact sheets.
+[[nodiscard]] Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneRun& run,
+                                             const std::vector<RunRow>& rows);
+
+// One row a trace, with the worst outcome of its checks.
+[[nodiscard]] std::vector<RunRow> runRows(const SceneRun& run);
+
+}  // namespace ssrkit

@@ -1,0 +1,105 @@
+// Runs expectation files: scenes x sizes x devices, one job each, and judges what comes back.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "check/check_result.h"
+#include "check/expectation.h"
+#include "check/subject.h"
+#include "frame/gbuffer_files.h"
+#include "frame/job.h"
+#include "oracle/oracle.h"
+#include "worker/supervisor.h"
+
+namespace ssrkit {
+
+// What is traced: a scene file or a G-buffer made by others, and the parameters that it is best traced with.
+struct SceneSource {
+  std::string name;
+  std::filesystem::path file;
+  std::shared_ptr<const GbufferFiles> gbuffer;
+  std::string camera_name;
+  TraceParameters defaults;
+};
+
+// One device's answer to one job, with the oracle's.
+struct CellRun {
+  std::string device;
+  Size size;
+  std::string input;  // the device whose G-buffer was uploaded, "" its own
+  std::optional<JobResult> result;
+  std::optional<Error> error;
+  std::optional<WorkerDeath> death;
+  Image mask;  // 1 channel, from the material
+  // Oracle A by the parameters that it depends on; stable addresses.
+  struct Truth {
+    OracleInput input;
+    OracleResult result;
+  };
+  std::deque<Truth> truths;
+  std::vector<const Truth*> truth_of_trace;  // one a trace, null where no oracle was asked for
+  std::vector<std::string> case_of_trace;
+};
+
+// All runs of one test over one scene.
+struct SceneRun {
+  const SceneSource* source = nullptr;
+  std::deque<CellRun> cells;
+  std::vector<Answer> answers;
+  std::vector<CheckResult> checks;
+};
+
+struct SuiteOptions {
+  std::filesystem::path shader_root;
+  std::filesystem::path scenes_root;
+  std::vector<std::string> devices;  // the run's, where a test names none
+  Size size;                         // likewise
+  std::string mirror_material;
+  std::vector<ShaderReplacement> replacements;
+  JobLimits limits;
+  bool want_images = false;  // colour and G-buffer for files and pictures
+  bool always_oracle = false;
+  std::string command;  // what the user typed, for the rerun line
+  std::function<void(const std::string&)> progress;
+};
+
+class Suite {
+ public:
+  // Starts no worker yet.
+  [[nodiscard]] static Expected<std::unique_ptr<Suite>> create(SuiteOptions options);
+
+  // Runs one test over one scene and judges it.
+  [[nodiscard]] SceneRun run(const TestFile& test, const SceneSource& source);
+
+  // Identity and traits of every device of the run; the first that is absent is an error.
+  [[nodiscard]] Expected<std::map<std::string, DeviceInfo>> devices();
+
+  // What failures name as the command that runs them again.
+  void setCommand(std::string command) { options_.command = std::move(command); }
+
+  // A built-in scene by name, or any file, with the parameters of the TOML beside it.
+  [[nodiscard]] static Expected<SceneSource> source(const std::string& name_or_path,
+                                                    const std::filesystem::path& scenes_root);
+
+ private:
+  explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
+  [[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, Size size) const;
+  void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
+               SceneRun& run);
+  void addTruths(const TestFile& test, CellRun& cell) const;
+  void addAnswers(const CellRun& cell, SceneRun& run) const;
+  void judge(const TestFile& test, const SceneSource& source, SceneRun& run) const;
+
+  SuiteOptions options_;
+  std::map<std::string, Worker> workers_;
+};
+
+}  // namespace ssrkit

@@ -1,0 +1,169 @@
+#include "command/test.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "check/outcome.h"
+#include "check/read_expectations.h"
+#include "command/kit_paths.h"
+#include "command/progress_line.h"
+#include "command/suite.h"
+#include "command/unit_tests.h"
+#include "frame/stages.h"
+#include "report/results_json.h"
+#include "scene/find_scene.h"
+
+namespace ssrkit {
+
+namespace {
+
+constexpr const char* kStandard = "standard";  // applies to every `run`; by itself it has nothing to run on
+
+Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, const KitPaths& paths) {
+  KnownNames known{.scenes = builtInScenes(paths.scenes), .devices = {}, .stages = {}};
+  for (const DeviceEntry& entry : deviceEntries()) {
+    known.devices.push_back(entry.id);
+  }
+  for (const Stage& stage : stages()) {
+    known.stages.push_back(stage.name);
+  }
+  auto files = loadExpectations(paths.expectations, known);
+  if (files) {
+    std::erase_if(*files, [&](const TestFile& file) {
+      return file.id == kStandard || fnmatch(options.filter.c_str(), file.id.c_str(), 0) != 0;
+    });
+  }
+  return files;
+}
+
+void printCheck(const CheckResult& check) {
+  fmt::print("{}: {}\n{}\n", name(check.outcome), fullName(check), check.message);
+  if (!check.repro.empty()) {
+    fmt::print("  rerun: {}\n", check.repro);
+  }
+}
+
+// One line a test and scene; the whole message of what failed.
+void printScene(const TestFile& test, const SceneRun& run, std::chrono::duration<double> time) {
+  const auto failed = static_cast<std::size_t>(
+      std::ranges::count_if(run.checks, [](const CheckResult& check) { return isFailure(check.outcome); }));
+  fmt::print("{:<6}{:<44}{:<10}{:>5} checks{:>8.1f} s\n", failed > 0 ? "FAIL" : "ok", test.id,
+             run.source->name, run.checks.size(), time.count());
+  for (const CheckResult& check : run.checks) {
+    if (isFailure(check.outcome) || check.outcome == Outcome::kInconclusive) {
+      printCheck(check);
+    }
+  }
+  std::fflush(stdout);
+}
+
+Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, const KitPaths& paths,
+                                                   const std::vector<TestFile>& files, RunReport& report) {
+  ProgressLine progress;
+  auto suite = Suite::create({.shader_root = paths.shaders,
+                              .scenes_root = paths.scenes,
+                              .devices = options.devices,
+                              .size = {640, 360},
+                              .mirror_material = "",
+                              .replacements = {},
+                              .limits = {},
+                              .want_images = false,
+                              .always_oracle = false,
+                              .command = "",
+                              .progress = [&](const std::string& text) { progress.show(text); }});
+  if (!suite) {
+    return tl::make_unexpected(suite.error());
+  }
+  const auto infos = (*suite)->devices();
+  if (!infos) {
+    return tl::make_unexpected(infos.error());
+  }
+  for (const auto& [id, info] : *infos) {
+    report.devices.push_back({info.identity, info.traits});
+  }
+  std::vector<CheckResult> checks;
+  for (const TestFile& test : files) {
+    (*suite)->setCommand(fmt::format("./ssrkit test --only expect --filter {}", test.id));
+    const bool all = test.scenes.size() == 1 && test.scenes.front() == "all";
+    for (const std::string& scene : all ? builtInScenes(paths.scenes) : test.scenes) {
+      const auto source = Suite::source(scene, paths.scenes);
+      if (!source) {
+        return tl::make_unexpected(source.error());
+      }
+      const auto start = std::chrono::steady_clock::now();
+      const SceneRun run = (*suite)->run(test, *source);
+      progress.clear();
+      printScene(test, run, std::chrono::steady_clock::now() - start);
+      checks.insert(checks.end(), run.checks.begin(), run.checks.end());
+      const CheckResult none{
+          .id = test.id, .scene = scene, .outcome = Outcome::kFail, .message = "no check was made"};
+      if (run.checks.empty()) {
+        printCheck(checks.emplace_back(none));
+      }
+    }
+  }
+  return checks;
+}
+
+}  // namespace
+
+Expected<int> testCommand(const TestOptions& options) {
+  const KitPaths paths = kitPaths();
+  const bool wants_unit = options.only.empty() || options.only == "unit";
+  const bool wants_expect = options.only.empty() || options.only == "expect";
+  auto files = wants_expect ? expectationFiles(options, paths)
+                            : Expected<std::vector<TestFile>>(std::vector<TestFile>{});
+  if (!files) {
+    return tl::make_unexpected(files.error());
+  }
+  if (options.list) {
+    for (const TestFile& file : *files) {
+      fmt::print("{:<44}{}\n", file.id, file.about);
+    }
+    const auto listed = wants_unit ? listUnitTests(paths.build, options.filter) : Expected<void>{};
+    return listed ? Expected<int>(0) : tl::make_unexpected(listed.error());
+  }
+  UnitTestCounts unit;
+  if (wants_unit) {
+    const auto counts = runUnitTests(paths.build, options.filter);
+    if (!counts) {
+      return tl::make_unexpected(counts.error());
+    }
+    unit = *counts;
+  }
+  RunReport report{.kit_version = SSRKIT_VERSION,
+                   .started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+                   .command = options.command,
+                   .devices = {},
+                   .checks = {},
+                   .rows = {},
+                   .frames = {}};
+  if (!files->empty()) {
+    auto checks = runExpectations(options, paths, *files, report);
+    if (!checks) {
+      return tl::make_unexpected(checks.error());
+    }
+    report.checks = std::move(*checks);
+    if (const auto written = writeResultsJson(options.out / "results.json", report); !written) {
+      return tl::make_unexpected(written.error());
+    }
+  }
+  std::vector<Outcome> outcomes(unit.passed, Outcome::kPass);
+  outcomes.insert(outcomes.end(), unit.failed, Outcome::kFail);
+  outcomes.insert(outcomes.end(), unit.skipped, Outcome::kSkip);
+  for (const CheckResult& check : report.checks) {
+    outcomes.push_back(check.outcome);
+  }
+  if (outcomes.empty()) {
+    return inputError("run the tests", fmt::format("no test matches '{}'", options.filter), "--filter",
+                      "./ssrkit test --list shows their names");
+  }
+  fmt::print("\n{}\n", closingLine(outcomes));
+  return exitCode(outcomes);
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,107 @@
+#include "command/unit_tests.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "base/atomic_file.h"
+
+extern char** environ;
+
+namespace ssrkit {
+
+namespace {
+
+const std::string kAttempted = "run the unit tests";
+
+// CTest filters by regular expression: everything but * stands for itself.
+std::string regexOf(const std::string& filter) {
+  std::string regex = "^";
+  for (const char letter : filter) {
+    if (letter == '*') {
+      regex += ".*";
+    } else {
+      regex += std::strchr(".+?()[]{}|^$\\", letter) != nullptr ? fmt::format("\\{}", letter)
+                                                                : std::string(1, letter);
+    }
+  }
+  return regex + "$";
+}
+
+Expected<int> runProgram(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) {
+    argv.push_back(argument.data());
+  }
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  if (const int error = posix_spawnp(&child, argv.front(), nullptr, nullptr, argv.data(), environ);
+      error != 0) {
+    return setupError(kAttempted,
+                      fmt::format("{} cannot be started: {}", arguments.front(), std::strerror(error)), "",
+                      "install the package cmake");
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+Expected<std::size_t> attribute(const std::string& junit, const std::string& name) {
+  const std::string key = " " + name + "=\"";
+  const std::size_t suite = junit.find("<testsuite");
+  const std::size_t start = junit.find(key, suite == std::string::npos ? junit.size() : suite);
+  std::size_t number = 0;
+  if (start == std::string::npos) {
+    return setupError(kAttempted, fmt::format("CTest's report has no '{}'", name));
+  }
+  const char* const digits = junit.data() + start + key.size();
+  std::from_chars(digits, junit.data() + junit.size(), number);
+  return number;
+}
+
+}  // namespace
+
+Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const std::string& filter) {
+  const std::filesystem::path junit_file = build / "unit-tests.xml";
+  std::error_code ignored;
+  std::filesystem::remove(junit_file, ignored);
+  const auto code = runProgram({"ctest", "--test-dir", build.string(), "--output-on-failure", "--progress",
+                                "-j", std::to_string(std::thread::hardware_concurrency()), "-R",
+                                regexOf(filter), "--output-junit", junit_file.string()});
+  if (!code) {
+    return tl::make_unexpected(code.error());
+  }
+  const auto junit = readFile(junit_file);
+  if (!junit) {
+    return tl::make_unexpected(junit.error());
+  }
+  const auto tests = attribute(*junit, "tests");
+  const auto failures = tests ? attribute(*junit, "failures") : tests;
+  const auto disabled = failures ? attribute(*junit, "disabled") : failures;
+  const auto skipped = disabled ? attribute(*junit, "skipped") : disabled;
+  if (!skipped) {
+    return tl::make_unexpected(skipped.error());
+  }
+  UnitTestCounts counts{
+      .passed = *tests - *failures - *skipped - *disabled, .failed = *failures, .skipped = *skipped};
+  // CTest may fail for reasons that no test stands for: a test program that cannot be started, a set-up that
+  // failed.
+  if (*code != 0 && counts.failed == 0 && *tests > 0) {
+    return setupError(kAttempted, fmt::format("ctest ended with {} though no test failed", *code));
+  }
+  return counts;
+}
+
+Expected<void> listUnitTests(const std::filesystem::path& build, const std::string& filter) {
+  const auto code = runProgram({"ctest", "--test-dir", build.string(), "-N", "-R", regexOf(filter)});
+  return code ? Expected<void>{} : tl::make_unexpected(code.error());
+}
+
+}  // namespace ssrkit
