@@ -35,9 +35,13 @@ const FormatRow& rowOf(Format format) {
 
 }  // namespace
 
-FormatInfo formatInfo(Format format) { return rowOf(format).info; }
+FormatInfo formatInfo(Format format) {
+  return rowOf(format).info;
+}
 
-const char* formatName(Format format) { return rowOf(format).name; }
+const char* formatName(Format format) {
+  return rowOf(format).name;
+}
 
 Size mipSize(const ImageDesc& desc, int mip) {
   SSRKIT_CHECK_LE(0, mip);

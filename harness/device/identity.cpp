@@ -10,9 +10,9 @@ namespace ssrkit {
 namespace {
 
 // The instruction sets that LLVM and Subzero choose between when they compile a shader (x86, then Arm).
-constexpr std::array<std::string_view, 15> kFeatures{"sse4_1",   "sse4_2",   "avx",      "avx2",     "fma",
-                                                     "f16c",     "avx512f",  "avx512bw", "avx512dq", "avx512vl",
-                                                     "avx512cd", "asimd",    "asimdhp",  "asimddp",  "sve"};
+constexpr std::array<std::string_view, 15> kFeatures{
+    "sse4_1",   "sse4_2",   "avx",      "avx2",  "fma",     "f16c",    "avx512f", "avx512bw",
+    "avx512dq", "avx512vl", "avx512cd", "asimd", "asimdhp", "asimddp", "sve"};
 
 std::string trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t";

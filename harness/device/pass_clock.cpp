@@ -15,7 +15,9 @@ std::int64_t clockNs(clockid_t clock) {
 
 }  // namespace
 
-std::int64_t processCpuNs() { return clockNs(CLOCK_PROCESS_CPUTIME_ID); }
+std::int64_t processCpuNs() {
+  return clockNs(CLOCK_PROCESS_CPUTIME_ID);
+}
 
 PassClock::PassClock() : wall_start_ns_(clockNs(CLOCK_MONOTONIC)), cpu_start_ns_(processCpuNs()) {}
 

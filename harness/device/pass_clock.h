@@ -1,5 +1,5 @@
-// Wall and process CPU time around a pass. CPU time is the steadier of the two on a shared machine: it sums the
-// rasteriser's threads and leaves out everybody else's.
+// Wall and process CPU time around a pass. CPU time is the steadier of the two on a shared machine: it sums
+// the rasteriser's threads and leaves out everybody else's.
 #pragma once
 
 #include <cstdint>

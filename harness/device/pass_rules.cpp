@@ -81,12 +81,13 @@ ProgramLayout layoutOf(const ProgramDesc& desc) {
 Expected<void> checkImageDesc(const ImageDesc& desc, int max_side) {
   const int longest = std::max(desc.size.width, desc.size.height);
   if (std::min(desc.size.width, desc.size.height) < 1 || longest > max_side) {
-    return inputError(fmt::format("create the image '{}'", desc.name),
-                      fmt::format("{} x {} texels is outside 1..{} a side", desc.size.width, desc.size.height, max_side),
-                      {}, "choose another size");
+    return inputError(
+        fmt::format("create the image '{}'", desc.name),
+        fmt::format("{} x {} texels is outside 1..{} a side", desc.size.width, desc.size.height, max_side),
+        {}, "choose another size");
   }
   SSRKIT_CHECK_LE(1, desc.mip_count);
-  SSRKIT_CHECK_LE(desc.mip_count, std::bit_width(static_cast<unsigned>(longest)));
+  SSRKIT_CHECK_LE(desc.mip_count, static_cast<int>(std::bit_width(static_cast<unsigned>(longest))));
   return {};
 }
 
@@ -112,20 +113,29 @@ Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout) {
     std::ranges::for_each(draw.sampled, [&](const SampledImage& sampled) { checkSampled(pass, sampled); });
     for (const std::uint32_t binding : layout.sampler_bindings) {
       if (findBinding(pass.sampled, binding) == nullptr && findBinding(draw.sampled, binding) == nullptr) {
-        return inputError(fmt::format("draw the pass '{}'", pass.name),
-                          fmt::format("its shader has a sampler at binding {} and the pass has no image there", binding),
-                          layout.name, "use a binding that the pass supplies");
+        return inputError(
+            fmt::format("draw the pass '{}'", pass.name),
+            fmt::format("its shader has a sampler at binding {} and the pass has no image there", binding),
+            layout.name, "use a binding that the pass supplies");
       }
     }
   }
   for (const std::uint32_t binding : layout.uniform_bindings) {
     if (pass.uniforms.empty() || binding != pass.uniform_binding) {
-      return inputError(fmt::format("draw the pass '{}'", pass.name),
-                        fmt::format("its shader has a uniform block at binding {} and the pass has none there", binding),
-                        layout.name, "use the block that the pass supplies");
+      return inputError(
+          fmt::format("draw the pass '{}'", pass.name),
+          fmt::format("its shader has a uniform block at binding {} and the pass has none there", binding),
+          layout.name, "use the block that the pass supplies");
     }
   }
   return {};
+}
+
+void checkVertexRanges(const PassDesc& pass, const ProgramLayout& layout, std::size_t buffer_byte_count) {
+  for (const DrawCall& draw : pass.draws) {
+    const std::size_t end_vertex = std::size_t{draw.first_vertex} + draw.vertex_count;
+    SSRKIT_CHECK_LE(end_vertex * layout.vertex_stride_bytes, buffer_byte_count);
+  }
 }
 
 }  // namespace ssrkit

@@ -1,5 +1,6 @@
 // What every device asks of its callers, written once so that the devices cannot disagree about it.
-// Broken rules are of two kinds: those that a user's shader can break come back as an Error, the rest are checks.
+// Broken rules are of two kinds: those that a user's shader can break come back as an Error, the rest are
+// checks.
 #pragma once
 
 #include <cstddef>
@@ -34,9 +35,12 @@ void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> byte
 // One format, and the mip lies inside mip 0 of `to` at (x, y).
 void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y);
 
-// Fails when the program reads a sampler or a block that the pass does not supply. Checks that the attachments are
-// the program's, all of one size, that the viewport lies inside them, that no mip is both drawn to and sampled, and
-// that integer images are not filtered.
+// Fails when the program reads a sampler or a block that the pass does not supply. Checks that the
+// attachments are the program's, all of one size, that the viewport lies inside them, that no mip is both
+// drawn to and sampled, and that integer images are not filtered.
 [[nodiscard]] Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout);
+
+// No draw reads past the vertex buffer's end.
+void checkVertexRanges(const PassDesc& pass, const ProgramLayout& layout, std::size_t buffer_byte_count);
 
 }  // namespace ssrkit

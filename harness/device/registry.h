@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "device/device.h"
+#include "device/traits.h"  // part of the seam: whoever asks for a device asks for its traits
 #include "shader/compiler.h"
 
 namespace ssrkit {
@@ -24,18 +25,10 @@ struct DeviceEntry {
   std::function<Expected<std::unique_ptr<Device>>()> create;
 };
 
+// Reads the names of the installed Vulkan drivers once; loads none of them.
 [[nodiscard]] std::span<const DeviceEntry> deviceEntries();
 
 // Fails with the list of known ids.
 [[nodiscard]] Expected<const DeviceEntry*> findDevice(std::string_view id);
-
-// What the start-up probe found on a device; stored with the results.
-struct DeviceTraits {
-  std::uint32_t loop_cap = 0;  // iterations after which loops are cut without a word; 0: none up to 262,144
-  bool device_timer_usable = false;  // API timestamps agree with wall time within 20 %
-  std::string shader_input;          // "SPIR-V"
-};
-
-[[nodiscard]] Expected<DeviceTraits> probeTraits(Device& device);
 
 }  // namespace ssrkit

@@ -9,10 +9,11 @@
 
 namespace ssrkit {
 
-Expected<void> checkSpirv(std::string_view program, std::string_view stage, std::span<const std::uint32_t> words,
-                          SpirvEnvironment environment) {
+Expected<void> checkSpirv(std::string_view program, std::string_view stage,
+                          std::span<const std::uint32_t> words, SpirvEnvironment environment) {
   std::vector<std::string> reasons;
-  spvtools::SpirvTools checker(environment == SpirvEnvironment::kOpenGl45 ? SPV_ENV_OPENGL_4_5 : SPV_ENV_VULKAN_1_1);
+  spvtools::SpirvTools checker(environment == SpirvEnvironment::kOpenGl45 ? SPV_ENV_OPENGL_4_5
+                                                                          : SPV_ENV_VULKAN_1_1);
   checker.SetMessageConsumer(
       [&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
         reasons.push_back(fmt::format("word {}: {}", position.index, message));

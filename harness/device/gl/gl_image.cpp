@@ -36,8 +36,9 @@ GLuint GlImage::view(int base_mip, int mip_count) const {
   const auto [entry, is_new] = views_.try_emplace({base_mip, mip_count});
   if (is_new) {
     entry->second = createTextureName(session_);
-    session_->gl().TextureView(entry->second.name(), GL_TEXTURE_2D, texture(), glFormat(desc_.format).internal,
-                               static_cast<GLuint>(base_mip), static_cast<GLuint>(mip_count), 0, 1);
+    session_->gl().TextureView(entry->second.name(), GL_TEXTURE_2D, texture(),
+                               glFormat(desc_.format).internal, static_cast<GLuint>(base_mip),
+                               static_cast<GLuint>(mip_count), 0, 1);
   }
   return entry->second.name();
 }
@@ -46,8 +47,8 @@ void GlImage::upload(int mip, std::span<const std::byte> bytes) {
   checkUpload(desc_, mip, bytes);
   const Size size = mipSize(desc_, mip);
   const GlFormat format = glFormat(desc_.format);
-  session_->gl().TextureSubImage2D(texture(), mip, 0, 0, size.width, size.height, format.transfer, format.component,
-                                   bytes.data());
+  session_->gl().TextureSubImage2D(texture(), mip, 0, 0, size.width, size.height, format.transfer,
+                                   format.component, bytes.data());
 }
 
 std::vector<std::byte> GlImage::read(int mip) const {

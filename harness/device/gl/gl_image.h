@@ -21,7 +21,8 @@ class GlImage final : public DeviceImage {
   [[nodiscard]] const ImageDesc& desc() const override { return desc_; }
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
 
-  // A texture that holds just these mips, so that a sampler cannot see one that is drawn to. Made once, then kept.
+  // A texture that holds just these mips, so that a sampler cannot see one that is drawn to. Made once, then
+  // kept.
   [[nodiscard]] GLuint view(int base_mip, int mip_count) const;
 
   void upload(int mip, std::span<const std::byte> bytes);

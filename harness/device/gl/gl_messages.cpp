@@ -38,7 +38,8 @@ void GLAD_API_PTR keepMessage(GLenum /*source*/, GLenum type, GLuint id, GLenum 
   const std::string_view message =
       length < 0 ? std::string_view(text) : std::string_view(text, static_cast<std::size_t>(length));
   // The pointer was given to glDebugMessageCallback as a mutable vector; its signature adds the const.
-  auto* const messages = const_cast<std::vector<std::string>*>(static_cast<const std::vector<std::string>*>(user));
+  auto* const messages =
+      const_cast<std::vector<std::string>*>(static_cast<const std::vector<std::string>*>(user));
   messages->push_back(fmt::format("OpenGL message {}: {}", id, message));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -32,6 +33,33 @@ tl::unexpected<Error> refused(GlSession& session, std::string attempted, std::st
   return failure;
 }
 
+// Bindings index arrays of fixed size in the driver: it does not look before it leaps.
+Expected<void> checkLimits(const GlSession& session, const ProgramDesc& desc) {
+  const auto exceeds = [](std::span<const std::uint32_t> bindings, int limit) {
+    return std::ranges::any_of(
+        bindings, [limit](std::uint32_t binding) { return std::cmp_greater_equal(binding, limit); });
+  };
+  const std::string attempted = fmt::format("load the program '{}'", desc.name);
+  const int sampler_limit = session.integer(GL_MAX_TEXTURE_IMAGE_UNITS);
+  if (exceeds(desc.sampler_bindings, sampler_limit)) {
+    return inputError(attempted,
+                      fmt::format("OpenGL has samplers at bindings 0 to {} only", sampler_limit - 1), {},
+                      "choose a smaller binding");
+  }
+  const int block_limit = session.integer(GL_MAX_UNIFORM_BUFFER_BINDINGS);
+  if (exceeds(desc.uniform_bindings, block_limit)) {
+    return inputError(attempted,
+                      fmt::format("OpenGL has uniform blocks at bindings 0 to {} only", block_limit - 1), {},
+                      "choose a smaller binding");
+  }
+  const int target_limit = session.integer(GL_MAX_DRAW_BUFFERS);
+  if (std::cmp_greater(desc.colour_formats.size(), target_limit)) {
+    return inputError(attempted, fmt::format("it draws to {} images and OpenGL allows {}",
+                                             desc.colour_formats.size(), target_limit));
+  }
+  return {};
+}
+
 std::string shaderLog(const GladGLContext& gl, GLuint shader) {
   GLint length = 0;
   gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
@@ -52,7 +80,8 @@ std::string programLog(const GladGLContext& gl, GLuint program) {
 
 Expected<GlObject> loadStage(const std::shared_ptr<GlSession>& session, const ProgramDesc& desc,
                              const StageSource& source) {
-  if (const auto valid = checkSpirv(desc.name, source.name, source.spirv, SpirvEnvironment::kOpenGl45); !valid) {
+  if (const auto valid = checkSpirv(desc.name, source.name, source.spirv, SpirvEnvironment::kOpenGl45);
+      !valid) {
     return tl::unexpected(valid.error());
   }
   std::vector<GLuint> ids;
@@ -93,13 +122,14 @@ GLint componentCount(VertexFormat format) {
   SSRKIT_CHECK(false);
 }
 
-GlObject createLayout(const std::shared_ptr<GlSession>& session, std::span<const VertexAttribute> attributes) {
+GlObject createLayout(const std::shared_ptr<GlSession>& session,
+                      std::span<const VertexAttribute> attributes) {
   GlObject object = createVertexArray(session);
   const GladGLContext& gl = session->gl();
   for (const VertexAttribute& attribute : attributes) {
     gl.EnableVertexArrayAttrib(object.name(), attribute.location);
-    gl.VertexArrayAttribFormat(object.name(), attribute.location, componentCount(attribute.format), GL_FLOAT, GL_FALSE,
-                               attribute.offset_bytes);
+    gl.VertexArrayAttribFormat(object.name(), attribute.location, componentCount(attribute.format), GL_FLOAT,
+                               GL_FALSE, attribute.offset_bytes);
     gl.VertexArrayAttribBinding(object.name(), attribute.location, kVertexBinding);
   }
   return object;
@@ -109,13 +139,16 @@ GlObject createLayout(const std::shared_ptr<GlSession>& session, std::span<const
 
 Expected<std::unique_ptr<GlProgram>> GlProgram::create(const std::shared_ptr<GlSession>& session,
                                                        const ProgramDesc& desc) {
+  if (const auto fits = checkLimits(*session, desc); !fits) {
+    return tl::unexpected(fits.error());
+  }
   const Expected<GlObject> vertex =
       loadStage(session, desc, {GL_VERTEX_SHADER, "vertex", desc.vertex_spirv, desc.vertex_constant_ids});
   if (!vertex) {
     return tl::unexpected(vertex.error());
   }
-  const Expected<GlObject> fragment =
-      loadStage(session, desc, {GL_FRAGMENT_SHADER, "fragment", desc.fragment_spirv, desc.fragment_constant_ids});
+  const Expected<GlObject> fragment = loadStage(
+      session, desc, {GL_FRAGMENT_SHADER, "fragment", desc.fragment_spirv, desc.fragment_constant_ids});
   if (!fragment) {
     return tl::unexpected(fragment.error());
   }

@@ -19,8 +19,8 @@ Expected<std::shared_ptr<GlSession>> GlSession::create(std::unique_ptr<GlContext
   const int version = gladLoadGLContextUserPtr(&session->gl_, findProcedure, session->context_.get());
   if (version < GLAD_MAKE_VERSION(4, 5)) {
     return setupError(kAttempted,
-                      fmt::format("the driver offers OpenGL {}.{} and the kit needs 4.5", GLAD_VERSION_MAJOR(version),
-                                  GLAD_VERSION_MINOR(version)),
+                      fmt::format("the driver offers OpenGL {}.{} and the kit needs 4.5",
+                                  GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)),
                       {}, "install Mesa 22.3 or newer");
   }
   // Found by its name: the list of binary formats is empty on Mesa although SPIR-V is taken.
@@ -60,7 +60,8 @@ Expected<void> GlSession::failOnMessages(std::string_view attempted, std::string
 
 void GlSession::setState() {
   messages_.listen(gl_);
-  // Row 0 of every image in memory is the top: the shaders flip y once, so the lower left of GL is our upper left.
+  // Row 0 of every image in memory is the top: the shaders flip y once, so the lower left of GL is our upper
+  // left.
   gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);

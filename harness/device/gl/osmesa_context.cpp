@@ -82,7 +82,8 @@ Expected<std::unique_ptr<GlContext>> createOsmesaContext() {
   // OSMesa 22.3 follows a null pointer when this variable names a driver that it does not have.
   const char* const driver = std::getenv("GALLIUM_DRIVER");
   if (driver != nullptr && std::string_view(driver) != "llvmpipe" && std::string_view(driver) != "softpipe") {
-    return setupError(kAttempted, std::string("GALLIUM_DRIVER is '") + driver + "', which OSMesa does not have", {},
+    return setupError(kAttempted,
+                      std::string("GALLIUM_DRIVER is '") + driver + "', which OSMesa does not have", {},
                       "unset it or set it to llvmpipe");
   }
   const Expected<OsmesaLibrary> library = loadOsmesa();

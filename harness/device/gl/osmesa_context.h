@@ -7,8 +7,9 @@
 
 namespace ssrkit {
 
-// A 4.5 core context on OSMesa with a default buffer of one texel: everything is drawn to framebuffer objects.
-// The library is loaded here and not before, so that a process that makes no device pays for no driver.
+// A 4.5 core context on OSMesa with a default buffer of one texel: everything is drawn to framebuffer
+// objects. The library is loaded here and not before, so that a process that makes no device pays for no
+// driver.
 [[nodiscard]] Expected<std::unique_ptr<GlContext>> createOsmesaContext();
 
 }  // namespace ssrkit
