@@ -90,7 +90,7 @@ EShLanguage languageOf(ShaderStage stage) {
 }
 
 EShMessages messagesFor(const FrontEndOptions& options) {
-  unsigned flags = EShMsgSpvRules | EShMsgCascadingErrors | EShMsgEnhanced;
+  unsigned flags = EShMsgSpvRules | EShMsgCascadingErrors;
   flags |= options.target == ShaderTarget::kVulkan ? EShMsgVulkanRules : 0U;
   flags |= options.line_numbers ? EShMsgDebugInfo : 0U;
   return static_cast<EShMessages>(flags);

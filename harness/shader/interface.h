@@ -31,7 +31,7 @@ struct BlockMember {
 struct UniformBlock {
   std::string name;
   std::uint32_t binding = 0;
-  std::uint32_t size_bytes = 0;
+  std::uint32_t size_bytes = 0;  // a multiple of 16
   std::vector<BlockMember> members;
 };
 

@@ -99,7 +99,11 @@ UniformBlock reflectBlock(const spirv_cross::Compiler& compiler, const spirv_cro
   UniformBlock block;
   block.name = resource.name;
   block.binding = compiler.get_decoration(resource.id, spv::DecorationBinding);
-  block.size_bytes = static_cast<std::uint32_t>(compiler.get_declared_struct_size(type));
+  // A std140 block ends on a vec4, and GL wants a buffer of that size (OpenGL 4.5, section 7.6.2.2).
+  constexpr std::size_t kAlignmentBytes = 16;
+  const std::size_t declared_bytes = compiler.get_declared_struct_size(type);
+  block.size_bytes =
+      static_cast<std::uint32_t>((declared_bytes + kAlignmentBytes - 1) / kAlignmentBytes * kAlignmentBytes);
   if (!compiler.get_type(resource.type_id).array.empty()) {
     throw UnsupportedInterface(fmt::format("'{}' is an array of blocks; use one block", block.name));
   }

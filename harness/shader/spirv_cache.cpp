@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raise it when the same recipe gives another module or the bytes of an entry mean something else.
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
 constexpr std::size_t kEntryLimitBytes = std::size_t{64} << 20;
 
 std::string firstLine(const std::string& recipe, const std::string& payload) {
