@@ -71,7 +71,7 @@ Rgb8 colourOf(RayClass ray_class) {
 Rgb8 blend(Rgb8 from, Rgb8 to, double weight) {
   Rgb8 mixed{};
   for (std::size_t i = 0; i < mixed.size(); ++i) {
-    mixed[i] = static_cast<std::uint8_t>(std::lround(std::lerp(from[i], to[i], weight)));
+    mixed[i] = static_cast<std::uint8_t>(from[i] + weight * (to[i] - from[i]) + 0.5);
   }
   return mixed;
 }

@@ -43,10 +43,10 @@ Glyph render(const std::string& character, int height_px, const std::string& fon
 
 }  // namespace
 
-const Glyph& GlyphCache::glyph(const std::string& character, int height_px) {
+const Glyph& GlyphCache::glyph(char character, int height_px) {
   const auto [entry, is_new] = glyphs_.try_emplace({character, height_px});
   if (is_new) {
-    entry->second = render(character, height_px, font_file_);
+    entry->second = render(std::string(1, character), height_px, font_file_);
   }
   return entry->second;
 }

@@ -23,12 +23,12 @@ class GlyphCache {
  public:
   explicit GlyphCache(std::string font_file) : font_file_(std::move(font_file)) {}
 
-  // `character` is the UTF-8 of one code point. An empty glyph when the font cannot draw it.
-  [[nodiscard]] const Glyph& glyph(const std::string& character, int height_px);
+  // `character` is printable ASCII.
+  [[nodiscard]] const Glyph& glyph(char character, int height_px);
 
  private:
   std::string font_file_;
-  std::map<std::pair<std::string, int>, Glyph> glyphs_;
+  std::map<std::pair<char, int>, Glyph> glyphs_;
 };
 
 }  // namespace ssrkit

@@ -54,14 +54,17 @@ std::optional<fs::path> findFont(const std::string& file_name) {
   return std::nullopt;
 }
 
-// The bytes of the text's first code point; a stray byte counts as one of its own.
-std::size_t firstCharacterBytes(std::string_view text) {
-  const auto isContinuation = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
-  std::size_t count = 1;
-  while (count < text.size() && count < 4 && isContinuation(text[count])) {
-    ++count;
+// One ASCII character for each code point.
+std::string drawable(std::string_view text) {
+  std::string ascii;
+  for (const char byte : text) {
+    const auto code = static_cast<unsigned char>(byte);
+    const bool is_continuation = (code & 0xC0U) == 0x80U;
+    if (!is_continuation) {
+      ascii += code >= 0x20 && code < 0x7F ? byte : '?';
+    }
   }
-  return count;
+  return ascii;
 }
 
 void blit(ByteImage& picture, int x, int y, const Glyph& glyph, Rgb8 colour) {
@@ -105,21 +108,17 @@ GlyphCache& TextPainter::cacheFor(TextWeight weight) {
 void TextPainter::draw(ByteImage& picture, int x, int baseline_y, std::string_view text,
                        const TextStyle& style) {
   SSRKIT_CHECK_LE(3, picture.channel_count);
-  while (!text.empty()) {
-    const std::size_t bytes = firstCharacterBytes(text);
-    const Glyph& glyph = cacheFor(style.weight).glyph(std::string(text.substr(0, bytes)), style.height_px);
+  for (const char character : drawable(text)) {
+    const Glyph& glyph = cacheFor(style.weight).glyph(character, style.height_px);
     blit(picture, x + glyph.left_px, baseline_y + glyph.top_px, glyph, style.colour);
     x += glyph.advance_px;
-    text.remove_prefix(bytes);
   }
 }
 
 int TextPainter::widthOf(std::string_view text, const TextStyle& style) {
   int width = 0;
-  while (!text.empty()) {
-    const std::size_t bytes = firstCharacterBytes(text);
-    width += cacheFor(style.weight).glyph(std::string(text.substr(0, bytes)), style.height_px).advance_px;
-    text.remove_prefix(bytes);
+  for (const char character : drawable(text)) {
+    width += cacheFor(style.weight).glyph(character, style.height_px).advance_px;
   }
   return width;
 }

@@ -12,7 +12,6 @@
 #include "image/png.h"
 #include "report/canvas.h"
 #include "report/heat_scale.h"
-#include "report/run_report.h"
 #include "report/sheet_layout.h"
 #include "report/sheet_pictures.h"
 #include "report/table_text.h"
@@ -91,7 +90,7 @@ class SheetDrawing {
   void drawTitle() {
     const int y = SheetLayout::kMargin + 26;
     const std::string words =
-        fmt::format("{}   {} × {}   {}   thickness {}", cellText(sheet_.scene, 48), sheet_.lit->size.width,
+        fmt::format("{}   {} x {}   {}   thickness {}", cellText(sheet_.scene, 48), sheet_.lit->size.width,
                     sheet_.lit->size.height, sheet_.device, sheet_.thickness);
     text(SheetLayout::kMargin, y, words, kTitle);
     fillRect(canvas_, {SheetLayout::kMargin, y + 12, {canvas_.size.width - 2 * SheetLayout::kMargin, 2}},
@@ -102,13 +101,10 @@ class SheetDrawing {
     fillRect(canvas_, {x, baseline_y - kSwatch + 2, {kSwatch, kSwatch}}, colour);
   }
 
-  // As on the map: SAME and "no ray" let the picture through.
-  static Rgb8 mapColour(Verdict verdict) { return colourOf(verdict); }
-
   void drawVerdictLegend() {
     caption(0, 1, "verdicts",
             scale_.shrink == 1 ? std::string("each ray against Oracle A")
-                               : fmt::format("against Oracle A, worst of {0} × {0} px", scale_.shrink));
+                               : fmt::format("against Oracle A, worst of {0} x {0} px", scale_.shrink));
     constexpr int kLine = 23;
     int y = layout_.pictureY(1) + kSwatch;
     for (const Verdict verdict : kWorstFirst) {
@@ -116,7 +112,7 @@ class SheetDrawing {
         continue;
       }
       const int x = layout_.columnX(0);
-      swatch(x, y, mapColour(verdict));
+      swatch(x, y, colourOf(verdict));
       text(x + kSwatch + 8, y, shortName(verdict), kPlain);
       text(x + kSwatch + 84, y, meaningOf(verdict), kPale);
       y += kLine;
@@ -159,7 +155,7 @@ class SheetDrawing {
 
   void drawStage(int column, const SheetStage& stage) {
     SSRKIT_CHECK(stage.record->size == sheet_.lit->size);
-    const TraceSummary summary = summarise(*stage.record, stage.verdicts);
+    const TraceSummary& summary = *stage.summary;
     const std::string cost = stage.cpu_ms ? measureText(*stage.cpu_ms) + " ms CPU" : "";
     caption(column, 0, stage.stage, cost.empty() ? "CPU time not measured" : cost);
     if (stage.composite != nullptr) {
@@ -195,15 +191,15 @@ class SheetDrawing {
     drawCounts(column, counts);
   }
 
-  // Two lines of three below the map.
+  // Three lines of two below the map.
   void drawCounts(int column, const VerdictCounts& counts) {
     constexpr std::array<Verdict, 6> kCounted = {Verdict::kNear,      Verdict::kWrong, Verdict::kFalseHit,
                                                  Verdict::kMissedHit, Verdict::kLeak,  Verdict::kAmbiguous};
-    const int third = layout_.columnWidth() / 3;
+    const int half = layout_.columnWidth() / 2;
     for (std::size_t i = 0; i < kCounted.size(); ++i) {
       const Verdict verdict = kCounted[i];
-      const int x = layout_.columnX(column) + static_cast<int>(i % 3) * third;
-      const int y = layout_.pictureY(1) + scale_.cell().height + 19 + static_cast<int>(i / 3) * 20;
+      const int x = layout_.columnX(column) + static_cast<int>(i / 3) * half;
+      const int y = layout_.pictureY(1) + scale_.cell().height + 19 + static_cast<int>(i % 3) * 20;
       const std::size_t count = counts.at(static_cast<std::size_t>(verdict));
       swatch(x, y, colourOf(verdict));
       text(x + kSwatch + 5, y, fmt::format("{} {}", shortName(verdict), countText(count)),

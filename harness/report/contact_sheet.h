@@ -13,16 +13,18 @@
 #include "image/image.h"
 #include "image/ray_record.h"
 #include "image/text_painter.h"
+#include "report/run_report.h"
 
 namespace ssrkit {
 
 // Nothing is owned. Images, record and verdicts have the lit image's size (checked).
 struct SheetStage {
   std::string stage;
-  const RayRecord* record = nullptr;  // always there
-  const Image* composite = nullptr;   // linear light; null: no such picture was made
-  std::span<const Verdict> verdicts;  // empty: there was no oracle
-  std::optional<double> cpu_ms;       // of the trace, see traceCost
+  const RayRecord* record = nullptr;      // always there
+  const TraceSummary* summary = nullptr;  // of the record and verdicts; always there
+  const Image* composite = nullptr;       // linear light; null: no such picture was made
+  std::span<const Verdict> verdicts;      // empty: there was no oracle
+  std::optional<double> cpu_ms;           // of the trace, see traceCost
 };
 
 struct ContactSheet {

@@ -46,9 +46,8 @@ TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdict
   summary.traced_rays = lookups.size();
   if (!lookups.empty()) {
     const double total = std::accumulate(lookups.begin(), lookups.end(), 0.0);
-    std::ranges::sort(lookups);
     summary.lookups = {total / static_cast<double>(lookups.size()), percentileOf(lookups, 50),
-                       percentileOf(lookups, 95), lookups.back()};
+                       percentileOf(lookups, 95), std::ranges::max(lookups)};
   }
   if (!verdicts.empty()) {
     SSRKIT_CHECK_EQ(verdicts.size(), record.rays.size());

@@ -9,7 +9,7 @@ struct SheetLayout {
   static constexpr int kMargin = 24;
   static constexpr int kTitleHeight = 56;
   static constexpr int kCaptionHeight = 48;  // above each picture: a bold line and a plain one
-  static constexpr int kCountsHeight = 44;   // below the verdict map
+  static constexpr int kCountsHeight = 64;   // below the verdict map
   static constexpr int kGap = 20;
 
   Size cell;

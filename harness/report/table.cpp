@@ -95,12 +95,22 @@ std::size_t totalWidth(const Widths& widths) {
   return std::accumulate(widths.begin(), widths.end(), kIndent + kColumnCount - 1);
 }
 
+std::size_t widthOf(const Span& span, const Widths& widths) {
+  return std::accumulate(widths.begin() + span.first, widths.begin() + span.last + 1,
+                         std::size_t{span.last - span.first});
+}
+
 // As wide as the widest cell; when that is too wide for the screen, names give way, then outcome words.
 Widths widthsFor(std::span<const Line> lines, std::size_t screen_width) {
   Widths widths{};
   for (const Line& line : lines) {
     for (std::size_t i = 0; i < kColumnCount; ++i) {
       widths[i] = std::max(widths[i], columnsOf(line[i]));
+    }
+  }
+  for (const Span& span : kSpans) {
+    while (widthOf(span, widths) < span.text.size()) {
+      ++widths[span.first];
     }
   }
   constexpr std::array<std::pair<Column, std::size_t>, 3> kGiveWay = {
@@ -144,19 +154,10 @@ std::string printed(const Line& line, const Widths& widths, std::string_view out
 
 std::string spanLine(const Widths& widths) {
   std::string text;
-  std::size_t begin = kIndent;
-  std::size_t column = 0;
   for (const Span& span : kSpans) {
-    for (; column < span.first; ++column) {
-      begin += widths[column] + 1;
-    }
-    std::size_t width = span.last - span.first;
-    for (; column <= span.last; ++column) {
-      width += widths[column];
-    }
-    text.resize(begin, ' ');
-    text += fmt::format("{:>{}}", cellText(span.text, width), width);
-    begin += width + 1;
+    const std::size_t end =
+        std::accumulate(widths.begin(), widths.begin() + span.last + 1, kIndent + span.last);
+    text += fmt::format("{:>{}}", span.text, end - text.size());
   }
   return text + "\n";
 }
