@@ -1,6 +1,6 @@
-// Oracle A: the exact cell-by-cell walk of the tracing contract (docs/spaces.md, "The tracing contract"), in double
-// precision on the CPU, over the very depth image that a shader read. Written from the contract, not from the
-// shaders, and checked by the closed forms.
+// Oracle A: the exact cell-by-cell walk of the tracing contract (docs/spaces.md, "The tracing contract"), in
+// double precision on the CPU, over the very depth image that a shader read. Written from the contract, not
+// from the shaders, and checked by the closed forms.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct OracleInput {
   const Camera* camera = nullptr;
   const Image* dist_view = nullptr;    // 1 channel, metres, +inf for background
   const Image* normal_view = nullptr;  // 4 channels: unit normal; the 4th is the cosine between the reflected
-                                       // direction and the geometric normal, negative: INTO_SURFACE. 3 channels:
-                                       // only the shading normal decides
+                                       // direction and the geometric normal, negative: INTO_SURFACE. 3
+                                       // channels: only the shading normal decides
   const Image* mask = nullptr;         // 1 channel, 0: MASKED; absent: every pixel reflects
   TraceParameters parameters;
 };
