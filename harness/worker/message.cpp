@@ -54,7 +54,7 @@ OwnedFd takeDescriptor(msghdr& packet) {
   const cmsghdr* const rights = CMSG_FIRSTHDR(&packet);
   if (rights == nullptr || rights->cmsg_level != SOL_SOCKET || rights->cmsg_type != SCM_RIGHTS ||
       rights->cmsg_len != CMSG_LEN(sizeof(int))) {
-    return OwnedFd();
+    return {};
   }
   int fd = -1;
   std::memcpy(&fd, CMSG_DATA(rights), sizeof(fd));

@@ -1,6 +1,7 @@
 #include "worker/spawn.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 
 #include <algorithm>
@@ -52,8 +53,8 @@ class SpawnPlan {
                                       POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
 
-  const posix_spawn_file_actions_t* actions() const { return &actions_; }
-  const posix_spawnattr_t* attributes() const { return &attributes_; }
+  [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
+  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
 
  private:
   posix_spawn_file_actions_t actions_;
@@ -63,7 +64,7 @@ class SpawnPlan {
 std::vector<std::string> mergedEnvironment(const ChildCommand& command) {
   std::vector<std::string> merged;
   for (const auto& [name, value] : command.environment) {
-    merged.push_back(name + "=" + value);
+    merged.push_back(fmt::format("{}={}", name, value));
   }
   for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
     const std::string_view text = *entry;

@@ -67,7 +67,7 @@ struct Worker::Impl {
   WorkerDeath buryForGarbage() {
     return bury(WorkerDeath::Kind::kCrash, milliseconds(0), "the worker sent bytes that are no message");
   }
-  tl::unexpected<Error> startFailure(const WorkerDeath& death) const;
+  [[nodiscard]] tl::unexpected<Error> startFailure(const WorkerDeath& death) const;
 
   std::string device_id;
   std::vector<std::pair<std::string, std::string>> environment;
