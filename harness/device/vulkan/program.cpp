@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "device/spirv_check.h"
+#include "device/vulkan/module_rules.h"
 #include "device/vulkan/pipeline.h"
 
 namespace ssrkit::vulkan {
@@ -31,10 +32,17 @@ Expected<void> checkLimits(const ProgramDesc& desc, const VkPhysicalDeviceLimits
   return {};
 }
 
-Expected<void> checkModules(const ProgramDesc& desc) {
+Expected<void> checkModules(const ProgramDesc& desc, const VkPhysicalDeviceLimits& limits,
+                            const std::string& attempted) {
   Expected<void> valid = checkSpirv(desc.name, "vertex", desc.vertex_spirv, SpirvEnvironment::kVulkan11);
   if (valid) {
+    valid = checkModule(desc.vertex_spirv, VK_SHADER_STAGE_VERTEX_BIT, limits, attempted);
+  }
+  if (valid) {
     valid = checkSpirv(desc.name, "fragment", desc.fragment_spirv, SpirvEnvironment::kVulkan11);
+  }
+  if (valid) {
+    valid = checkModule(desc.fragment_spirv, VK_SHADER_STAGE_FRAGMENT_BIT, limits, attempted);
   }
   return valid;
 }
@@ -49,7 +57,7 @@ Expected<std::unique_ptr<VulkanProgram>> VulkanProgram::create(const std::shared
   const std::string attempted = fmt::format("make the program '{}'", desc.name);
   Expected<void> done = checkLimits(desc, gpu->physical().limits, attempted);
   if (done) {
-    done = checkModules(desc);
+    done = checkModules(desc, gpu->physical().limits, attempted);
   }
   std::unique_ptr<VulkanProgram> program(new VulkanProgram(gpu, desc));
   if (done) {
