@@ -167,6 +167,9 @@ std::vector<std::string> notesOf(const GltfTally& tally) {
   add(tally.skinned_nodes, "skinned mesh", "skinned meshes", "drawn in the bind pose");
   add(tally.morphed_primitives, "primitive", "primitives", "drawn without morph targets");
   add(tally.coloured_primitives, "primitive", "primitives", "drawn without vertex colours");
+  add(tally.mixed_uv_materials, "texture", "textures",
+      "drawn with the texture coordinates of the material's first one");
+  add(tally.unread_textures, "texture", "textures", "without a PNG or JPEG image left out");
   return notes;
 }
 

@@ -30,6 +30,8 @@ struct GltfTally {
   std::size_t skinned_nodes = 0;
   std::size_t morphed_primitives = 0;
   std::size_t coloured_primitives = 0;
+  std::size_t mixed_uv_materials = 0;
+  std::size_t unread_textures = 0;
 };
 
 // A glTF document whose structure has been checked: every index in `model` points at something. The model

@@ -83,7 +83,9 @@ class GeometryBuilder {
       group.vertices = {};
     }
     if (scene.vertices.empty()) {
-      return document_.source.refuse("", "the scene has no triangle to draw");
+      const bool others = document_.tally.non_triangle_primitives > 0;
+      return document_.source.refuse("", others ? "the scene has no triangle to draw, only points or lines"
+                                                : "the scene has no triangle to draw");
     }
     return {};
   }

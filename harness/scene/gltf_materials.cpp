@@ -87,15 +87,8 @@ class MaterialReader {
     unnamed.name = "default";
     result_.materials.push_back(unnamed);
     result_.uv_sources.emplace_back();
-    if (mixed_uvs_ > 0) {
-      document_.notes.push_back(fmt::format(
-          "{} materials use different texture coordinates for different textures; the first one's are used.",
-          mixed_uvs_));
-    }
-    if (without_image_ > 0) {
-      document_.notes.push_back(
-          fmt::format("{} textures in formats other than PNG and JPEG are left out.", without_image_));
-    }
+    document_.tally.mixed_uv_materials = mixed_uvs_;
+    document_.tally.unread_textures = without_image_;
     return std::move(result_);
   }
 

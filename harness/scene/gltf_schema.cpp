@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "scene/clean_name.h"
+#include "scene/gltf_rules.h"
 
 namespace ssrkit {
 
@@ -17,148 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-enum class Kind { kObject, kArray, kString, kBool, kNumber, kWhole, kIndex, kNumbers };
-
-struct Rule {
-  std::string_view path;  // '*': every element of an array or member of an object
-  Kind kind = Kind::kObject;
-  bool required = false;      // of its parent, where that is present
-  std::string_view target{};  // kIndex: the array it points into
-  std::size_t count = 0;      // kNumbers: how many
-};
-
 constexpr std::size_t kMaxElements = 262'144;  // of an array of objects
-
-// Parents come before what they hold.
-constexpr auto kRules = std::to_array<Rule>({
-    {"extensionsUsed", Kind::kArray},
-    {"extensionsUsed/*", Kind::kString},
-    {"buffers", Kind::kArray},
-    {"buffers/*", Kind::kObject},
-    {"buffers/*/byteLength", Kind::kWhole, true},
-    {"buffers/*/uri", Kind::kString},
-    {"bufferViews", Kind::kArray},
-    {"bufferViews/*", Kind::kObject},
-    {"bufferViews/*/buffer", Kind::kIndex, true, "buffers"},
-    {"bufferViews/*/byteOffset", Kind::kWhole},
-    {"bufferViews/*/byteLength", Kind::kWhole, true},
-    {"bufferViews/*/byteStride", Kind::kWhole},
-    {"accessors", Kind::kArray},
-    {"accessors/*", Kind::kObject},
-    {"accessors/*/bufferView", Kind::kIndex, false, "bufferViews"},
-    {"accessors/*/byteOffset", Kind::kWhole},
-    {"accessors/*/componentType", Kind::kWhole, true},
-    {"accessors/*/count", Kind::kWhole, true},
-    {"accessors/*/type", Kind::kString, true},
-    {"accessors/*/normalized", Kind::kBool},
-    {"accessors/*/sparse", Kind::kObject},
-    {"accessors/*/sparse/count", Kind::kWhole, true},
-    {"accessors/*/sparse/indices", Kind::kObject, true},
-    {"accessors/*/sparse/indices/bufferView", Kind::kIndex, true, "bufferViews"},
-    {"accessors/*/sparse/indices/byteOffset", Kind::kWhole},
-    {"accessors/*/sparse/indices/componentType", Kind::kWhole, true},
-    {"accessors/*/sparse/values", Kind::kObject, true},
-    {"accessors/*/sparse/values/bufferView", Kind::kIndex, true, "bufferViews"},
-    {"accessors/*/sparse/values/byteOffset", Kind::kWhole},
-    {"images", Kind::kArray},
-    {"images/*", Kind::kObject},
-    {"images/*/uri", Kind::kString},
-    {"images/*/bufferView", Kind::kIndex, false, "bufferViews"},
-    {"samplers", Kind::kArray},
-    {"samplers/*", Kind::kObject},
-    {"samplers/*/wrapS", Kind::kWhole},
-    {"samplers/*/wrapT", Kind::kWhole},
-    {"textures", Kind::kArray},
-    {"textures/*", Kind::kObject},
-    {"textures/*/source", Kind::kIndex, false, "images"},
-    {"textures/*/sampler", Kind::kIndex, false, "samplers"},
-    {"materials", Kind::kArray},
-    {"materials/*", Kind::kObject},
-    {"materials/*/name", Kind::kString},
-    {"materials/*/extensions", Kind::kObject},
-    {"materials/*/extensions/*", Kind::kObject},
-    {"materials/*/extensions/KHR_materials_emissive_strength/emissiveStrength", Kind::kNumber},
-    {"materials/*/extras/ssrkit_mirror", Kind::kBool},
-    {"materials/*/emissiveFactor", Kind::kNumbers, false, {}, 3},
-    {"materials/*/alphaMode", Kind::kString},
-    {"materials/*/alphaCutoff", Kind::kNumber},
-    {"materials/*/doubleSided", Kind::kBool},
-    {"materials/*/pbrMetallicRoughness", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/baseColorFactor", Kind::kNumbers, false, {}, 4},
-    {"materials/*/pbrMetallicRoughness/metallicFactor", Kind::kNumber},
-    {"materials/*/pbrMetallicRoughness/roughnessFactor", Kind::kNumber},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture/index", Kind::kIndex, true, "textures"},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture/texCoord", Kind::kWhole},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture/extensions", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture/extensions/*", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture/index", Kind::kIndex, true, "textures"},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture/texCoord", Kind::kWhole},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture/extensions", Kind::kObject},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture/extensions/*", Kind::kObject},
-    {"materials/*/normalTexture", Kind::kObject},
-    {"materials/*/normalTexture/index", Kind::kIndex, true, "textures"},
-    {"materials/*/normalTexture/texCoord", Kind::kWhole},
-    {"materials/*/normalTexture/scale", Kind::kNumber},
-    {"materials/*/normalTexture/extensions", Kind::kObject},
-    {"materials/*/normalTexture/extensions/*", Kind::kObject},
-    {"materials/*/emissiveTexture", Kind::kObject},
-    {"materials/*/emissiveTexture/index", Kind::kIndex, true, "textures"},
-    {"materials/*/emissiveTexture/texCoord", Kind::kWhole},
-    {"materials/*/emissiveTexture/extensions", Kind::kObject},
-    {"materials/*/emissiveTexture/extensions/*", Kind::kObject},
-    {"meshes", Kind::kArray},
-    {"meshes/*", Kind::kObject},
-    {"meshes/*/primitives", Kind::kArray, true},
-    {"meshes/*/primitives/*", Kind::kObject},
-    {"meshes/*/primitives/*/attributes", Kind::kObject, true},
-    {"meshes/*/primitives/*/attributes/*", Kind::kIndex, false, "accessors"},
-    {"meshes/*/primitives/*/indices", Kind::kIndex, false, "accessors"},
-    {"meshes/*/primitives/*/material", Kind::kIndex, false, "materials"},
-    {"meshes/*/primitives/*/mode", Kind::kWhole},
-    {"cameras", Kind::kArray},
-    {"cameras/*", Kind::kObject},
-    {"cameras/*/name", Kind::kString},
-    {"cameras/*/type", Kind::kString, true},
-    {"cameras/*/perspective", Kind::kObject},
-    {"cameras/*/perspective/yfov", Kind::kNumber, true},
-    {"cameras/*/perspective/znear", Kind::kNumber, true},
-    {"cameras/*/perspective/zfar", Kind::kNumber},
-    {"cameras/*/perspective/aspectRatio", Kind::kNumber},
-    {"extensions", Kind::kObject},
-    {"extensions/KHR_lights_punctual", Kind::kObject},
-    {"extensions/KHR_lights_punctual/lights", Kind::kArray, true},
-    {"extensions/KHR_lights_punctual/lights/*", Kind::kObject},
-    {"extensions/KHR_lights_punctual/lights/*/type", Kind::kString, true},
-    {"extensions/KHR_lights_punctual/lights/*/color", Kind::kNumbers, false, {}, 3},
-    {"extensions/KHR_lights_punctual/lights/*/intensity", Kind::kNumber},
-    {"extensions/KHR_lights_punctual/lights/*/range", Kind::kNumber},
-    {"extensions/KHR_lights_punctual/lights/*/spot", Kind::kObject},
-    {"extensions/KHR_lights_punctual/lights/*/spot/innerConeAngle", Kind::kNumber},
-    {"extensions/KHR_lights_punctual/lights/*/spot/outerConeAngle", Kind::kNumber},
-    {"nodes", Kind::kArray},
-    {"nodes/*", Kind::kObject},
-    {"nodes/*/name", Kind::kString},
-    {"nodes/*/children", Kind::kArray},
-    {"nodes/*/children/*", Kind::kIndex, false, "nodes"},
-    {"nodes/*/mesh", Kind::kIndex, false, "meshes"},
-    {"nodes/*/camera", Kind::kIndex, false, "cameras"},
-    {"nodes/*/skin", Kind::kIndex, false, "skins"},
-    {"nodes/*/matrix", Kind::kNumbers, false, {}, 16},
-    {"nodes/*/translation", Kind::kNumbers, false, {}, 3},
-    {"nodes/*/rotation", Kind::kNumbers, false, {}, 4},
-    {"nodes/*/scale", Kind::kNumbers, false, {}, 3},
-    {"nodes/*/extensions", Kind::kObject},
-    {"nodes/*/extensions/KHR_lights_punctual", Kind::kObject},
-    {"nodes/*/extensions/KHR_lights_punctual/light", Kind::kIndex, true,
-     "extensions/KHR_lights_punctual/lights"},
-    {"scenes", Kind::kArray},
-    {"scenes/*", Kind::kObject},
-    {"scenes/*/nodes", Kind::kArray},
-    {"scenes/*/nodes/*", Kind::kIndex, false, "nodes"},
-    {"scene", Kind::kIndex, false, "scenes"},
-});
 
 constexpr auto kSupportedExtensions =
     std::to_array<std::string_view>({"KHR_lights_punctual", "KHR_materials_emissive_strength",
@@ -180,32 +40,32 @@ std::size_t lengthOf(const json& root, std::string_view path) {
 }
 
 // What is wrong with the value by the rule, empty when nothing is.
-std::string complaint(const Rule& rule, const json& value, std::size_t target_length) {
+std::string complaint(const GltfRule& rule, const json& value, std::size_t target_length) {
   const bool whole =
       value.is_number_unsigned() &&
       value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
   switch (rule.kind) {
-    case Kind::kObject:
+    case GltfKind::kObject:
       return value.is_object() ? "" : "is not an object";
-    case Kind::kArray:
+    case GltfKind::kArray:
       if (value.is_array() && value.size() > kMaxElements) {
         return fmt::format("has {} elements and the limit is {}", value.size(), kMaxElements);
       }
       return value.is_array() ? "" : "is not an array";
-    case Kind::kString:
+    case GltfKind::kString:
       return value.is_string() ? "" : "is not a string";
-    case Kind::kBool:
+    case GltfKind::kBool:
       return value.is_boolean() ? "" : "is neither true nor false";
-    case Kind::kNumber:
+    case GltfKind::kNumber:
       return value.is_number() ? "" : "is not a number";
-    case Kind::kWhole:
+    case GltfKind::kWhole:
       return whole ? "" : "is not a whole number between 0 and 2147483647";
-    case Kind::kIndex:
+    case GltfKind::kIndex:
       if (whole && value.get<std::size_t>() >= target_length) {
         return fmt::format("is {} and there are {} {}", value.get<std::size_t>(), target_length, rule.target);
       }
       return whole ? "" : "is not an index";
-    case Kind::kNumbers:
+    case GltfKind::kNumbers:
       return value.is_array() && value.size() == rule.count &&
                      std::all_of(value.begin(), value.end(),
                                  [](const json& item) { return item.is_number(); })
@@ -218,7 +78,7 @@ std::string complaint(const Rule& rule, const json& value, std::size_t target_le
 // Applies one rule to everything its path leads to. `rest` is what is left of the path below `value`.
 class RuleWalk {
  public:
-  RuleWalk(const GltfSource& source, const Rule& rule, std::size_t target_length)
+  RuleWalk(const GltfSource& source, const GltfRule& rule, std::size_t target_length)
       : source_(source), rule_(rule), target_length_(target_length) {}
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the rule's path
@@ -261,7 +121,7 @@ class RuleWalk {
   }
 
   const GltfSource& source_;
-  const Rule& rule_;
+  const GltfRule& rule_;
   std::size_t target_length_;
 };
 
@@ -312,7 +172,7 @@ Expected<void> checkGltfSchema(const GltfSource& source, const json& root) {
   if (auto extensions = checkExtensions(source, root); !extensions) {
     return extensions;
   }
-  for (const Rule& rule : kRules) {
+  for (const GltfRule& rule : kGltfRules) {
     const RuleWalk walk(source, rule, rule.target.empty() ? 0 : lengthOf(root, rule.target));
     if (auto visited = walk.visit(root, rule.path, ""); !visited) {
       return visited;

@@ -5,7 +5,7 @@ below it: h = 1. Every coordinate that a closed form uses is exact in 32 bits.""
 
 import math
 
-from .colours import BLUE, GREEN, INK, ORANGE, PAPER, PINK, RED, SKY, SLATE, STONE, YELLOW
+from .colours import BLUE, GREEN, ORANGE, PAPER, PINK, RED, SKY, SLATE, STONE, YELLOW
 from .gltf import Gltf
 from .png import palette_png
 from .shapes import quad
@@ -52,7 +52,7 @@ def floor(scene, material, z_near, z_far, repeat=(1, 1), half_width=HALF_WIDTH):
 def floor_and_wall(name):
     """A mirror floor that reaches a wall at D = 8: the wall's foot is on Y = -h f / D = -1/4."""
     scene = start(name)
-    board = scene.texture(chequer_png(24, 8, 16, (13, 2), RED), CLAMP)
+    board = scene.texture(chequer_png(24, 8, 16, (13, 1), RED), CLAMP)
     floor(scene, scene.mirror("floor mirror"), 2, -8)
     scene.add("wall", quad((-HALF_WIDTH, -1, -8), (HALF_WIDTH, -1, -8), (HALF_WIDTH, 7, -8), (-HALF_WIDTH, 7, -8)),
               scene.material("wall", texture=board))
@@ -86,12 +86,12 @@ def m3():
 def m4():
     """A mirror at 45 degrees in (0, 0, -4): rays along the view turn to +x and meet the side wall at x = 1."""
     scene = start("m4")
-    floor(scene, scene.material("floor", STONE), 2, -10)
+    floor(scene, scene.material("floor", PAPER), 2, -10)
     board = scene.texture(chequer_png(8, 4, 16, (3, 1), RED, (PAPER, SKY)), CLAMP)
     scene.add("side wall", quad((1, -1, -10), (1, -1, -2), (1, 3, -2), (1, 3, -10)), scene.material("side wall", texture=board))
     scene.add("slanted mirror", quad((-1, -1, -3), (0.75, -1, -4.75), (0.75, 1, -4.75), (-1, 1, -3)),
               scene.mirror("slanted mirror"))
     scene.add("back wall", quad((-HALF_WIDTH, -1, -10), (HALF_WIDTH, -1, -10), (HALF_WIDTH, 5, -10), (-HALF_WIDTH, 5, -10)),
-              scene.material("back wall", INK))
+              scene.material("back wall", SLATE))
     scene.sun(45, -40)
     return scene

@@ -117,7 +117,7 @@ def facing():
     framed_mirror(scene, "mirror ahead", mirror, frame, (0, 0.2, -4), 0, 3, 2.4)
     framed_mirror(scene, "mirror left", mirror, frame, (-3.4, 0.2, -3), 25, 2.4, 2.4)
     framed_mirror(scene, "mirror right", mirror, frame, (3.4, 0.2, -3), -25, 2.4, 2.4)
-    framed_mirror(scene, "mirror near", mirror, frame, (1.55, 0.9, 2.3), -40, 0.9, 1.1)
+    framed_mirror(scene, "mirror near", mirror, frame, (1.55, 0.9, 2.3), -68, 0.9, 1.1)
     for number, (x, z, width, height, colour) in enumerate([
         (-1.5, -2.1, 0.6, 0.9, 0), (0.9, -2.6, 0.5, 1.3, 4), (-3.0, -0.6, 0.7, 0.7, 2), (2.6, -1.1, 0.6, 1.1, 5),
         (-0.4, -0.4, 0.4, 0.4, 3), (-2.0, 1.0, 0.4, 0.8, 1),

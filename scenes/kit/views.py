@@ -11,7 +11,7 @@ from .shapes import box, cylinder, height_field, quad, sphere
 def corridor():
     """A hall of 40 m, open to the sky, with a mirror floor and a mirror along the left wall: long grazing rays."""
     scene = Gltf("corridor")
-    scene.camera("front", math.radians(60), 0.1, 80, (0.4, 1.6, 0), pitch(-4))
+    scene.camera("front", math.radians(60), 0.1, 80, (0.1, 1.6, 0), pitch(-4))
     near, far, side, height = 2, -40, 2.5, 3.6
     scene.add("floor", quad((-side, 0, near), (side, 0, near), (side, 0, far), (-side, 0, far)), scene.mirror("floor mirror"))
     wall = scene.material("wall", PAPER)
