@@ -1,6 +1,5 @@
 #include "check/toml_document.h"
 
-#define TOML_EXCEPTIONS 0
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
@@ -90,12 +89,11 @@ std::string placeText(std::string_view file, TomlPlace place) {
 
 Expected<TomlValue> parseToml(std::string_view content, const std::string& file,
                               const std::string& attempted) {
-  const toml::parse_result parsed = toml::parse(content, file);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
+  try {
+    return convert(toml::parse(content, file));
+  } catch (const toml::parse_error& error) {
     return inputError(attempted, std::string(error.description()), placeText(file, placeOf(error.source())));
   }
-  return convert(parsed.table());
 }
 
 }  // namespace ssrkit
