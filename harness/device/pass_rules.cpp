@@ -36,23 +36,27 @@ void checkSampled(const PassDesc& pass, const SampledImage& sampled) {
 
 Size attachmentSize(const PassDesc& pass) {
   const Attachment& first = pass.colour.empty() ? *pass.depth : pass.colour.front();
+  SSRKIT_CHECK(first.image != nullptr);
   return mipSize(first.image->desc(), first.mip);
+}
+
+void checkAttachment(const Attachment& attachment, Format format, Size size) {
+  SSRKIT_CHECK(attachment.image != nullptr);
+  const ImageDesc& desc = attachment.image->desc();
+  SSRKIT_CHECK(desc.format == format);
+  SSRKIT_CHECK(mipSize(desc, attachment.mip) == size);
 }
 
 void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
   SSRKIT_CHECK_EQ(pass.colour.size(), layout.colour_formats.size());
   SSRKIT_CHECK_EQ(pass.depth.has_value(), layout.has_depth);
   SSRKIT_CHECK(!pass.colour.empty() || pass.depth);
+  const Size size = attachmentSize(pass);
   for (std::size_t i = 0; i < pass.colour.size(); ++i) {
-    SSRKIT_CHECK(pass.colour[i].image != nullptr);
-    const ImageDesc& desc = pass.colour[i].image->desc();
-    SSRKIT_CHECK(desc.format == layout.colour_formats[i]);
-    SSRKIT_CHECK(mipSize(desc, pass.colour[i].mip) == attachmentSize(pass));
+    checkAttachment(pass.colour[i], layout.colour_formats[i], size);
   }
   if (pass.depth) {
-    SSRKIT_CHECK(pass.depth->image != nullptr);
-    SSRKIT_CHECK(pass.depth->image->desc().format == Format::kD32f);
-    SSRKIT_CHECK(mipSize(pass.depth->image->desc(), pass.depth->mip) == attachmentSize(pass));
+    checkAttachment(*pass.depth, Format::kD32f, size);
   }
 }
 

@@ -1,8 +1,8 @@
 // The start-up probe: counts in nested loops and tells how far it got.
 //
-// Mesa's software drivers leave every loop of a shader execution after 65,535 turns in all, without a word
-// (docs/driver-notes.md). The counts come from a block and each turn depends on the one before it, so that no compiler
-// can work the answer out; the same shader with smaller counts is the load that the device's timer is held against.
+// The software drivers of Mesa 22.3 leave every loop of a shader execution after 65,535 turns in all, without a word.
+// The counts come from a block and each turn depends on the one before it, so that no compiler can work the answer
+// out; the same shader with smaller counts is the load that the device's timer is held against.
 #version 450
 
 layout(binding = 0, std140) uniform Counts {

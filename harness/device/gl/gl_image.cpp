@@ -2,12 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "base/check.h"
 #include "device/format.h"
 #include "device/gl/gl_formats.h"
 #include "device/pass_rules.h"
 
 namespace ssrkit {
+namespace {
+
+// GL counts the bytes of a read-back in a GLsizei.
+constexpr std::size_t kMostBytes = std::numeric_limits<GLsizei>::max();
+
+}  // namespace
 
 GlImage::GlImage(std::shared_ptr<GlSession> session, ImageDesc desc)
     : session_(std::move(session)), desc_(std::move(desc)), texture_(createTexture(session_)) {
@@ -20,9 +28,15 @@ Expected<std::unique_ptr<GlImage>> GlImage::create(const std::shared_ptr<GlSessi
   if (const auto valid = checkImageDesc(desc, session->integer(GL_MAX_TEXTURE_SIZE)); !valid) {
     return tl::unexpected(valid.error());
   }
-  std::unique_ptr<GlImage> image(new GlImage(session, desc));
   const std::string attempted = fmt::format("create the image '{}' of {} x {} texels ({})", desc.name,
                                             desc.size.width, desc.size.height, formatName(desc.format));
+  if (mipByteCount(desc, 0) > kMostBytes) {
+    return setupError(
+        attempted,
+        fmt::format("its {} bytes are more than OpenGL's limit of {}", mipByteCount(desc, 0), kMostBytes), {},
+        "choose a smaller size");
+  }
+  std::unique_ptr<GlImage> image(new GlImage(session, desc));
   if (const auto created = session->failOnMessages(attempted, "choose a smaller size"); !created) {
     return tl::unexpected(created.error());
   }
@@ -54,7 +68,6 @@ void GlImage::upload(int mip, std::span<const std::byte> bytes) {
 std::vector<std::byte> GlImage::read(int mip) const {
   const GlFormat format = glFormat(desc_.format);
   std::vector<std::byte> bytes(mipByteCount(desc_, mip));
-  // GL counts this size in 31 bits; an image of 2 GiB or more does not get past createImage.
   session_->gl().GetTextureImage(texture(), mip, format.transfer, format.component,
                                  static_cast<GLsizei>(bytes.size()), bytes.data());
   return bytes;

@@ -102,7 +102,7 @@ Expected<std::unique_ptr<GlContext>> createOsmesaContext() {
                                             OSMESA_DEPTH_BITS,
                                             0,
                                             0};
-  const OSMesaContext context = library->create_context(kAttributes.data(), nullptr);
+  OSMesaContext context = library->create_context(kAttributes.data(), nullptr);
   if (context == nullptr) {
     return setupError(kAttempted, "it refused an OpenGL 4.5 core context", kLibrary,
                       "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
