@@ -71,7 +71,7 @@ Expected<std::vector<VkDescriptorSet>> Descriptors::prepare(const PassDesc& pass
   if (!done) {
     return passOn(done);
   }
-  const auto sets = allocate(static_cast<std::uint32_t>(set_count), program.setLayout());
+  auto sets = allocate(static_cast<std::uint32_t>(set_count), program.setLayout());
   if (!sets) {
     return sets;
   }
