@@ -212,7 +212,7 @@ Worker fakeWorker(const std::string& device_id) {
   entry.environment = {{"FAKE_DRIVER", "llvmpipe"}};
   WorkerOptions options;
   options.shader_root = "some/shaders";
-  options.start_limit = std::chrono::milliseconds(device_id == "fake-hang" ? 300 : 20000);
+  options.start_limit = std::chrono::milliseconds(device_id == "fake-hang" ? 1500 : 20000);
   return Worker(entry, options);
 }
 
