@@ -83,8 +83,10 @@ Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell
     return tl::make_unexpected(painter.error());
   }
   std::vector<std::vector<Verdict>> verdicts;
+  std::vector<TraceSummary> summaries;
   for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
     verdicts.push_back(verdictsOf(cell, i));
+    summaries.push_back(summarise(cell.result->traces[i].record, verdicts.back()));
   }
   ContactSheet sheet{.scene = scene,
                      .device = cell.device,
@@ -96,6 +98,7 @@ Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell
     const TraceResult& trace = cell.result->traces[i];
     SheetStage stage{.stage = trace.stage,
                      .record = &trace.record,
+                     .summary = &summaries[i],
                      .composite = trace.composite ? &*trace.composite : nullptr,
                      .verdicts = verdicts[i],
                      .cpu_ms = std::nullopt};

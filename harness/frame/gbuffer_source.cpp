@@ -116,6 +116,9 @@ void setCameraUniforms(UniformValues& values, const Camera& camera) {
   values.set("near_m", camera.near_m);
   values.set("clip_from_view", camera.clip_from_view);
   values.set("view_from_world", camera.view_from_world);
+  // Set anew by buildPyramid; the tracers that read no pyramid share the block.
+  values.set("atlas_rows", 0.0);
+  values.set("atlas_texel_uv", glm::dvec2(0.0));
 }
 
 }  // namespace ssrkit
