@@ -17,6 +17,7 @@
 #include "base/text.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
+#include "command/print_checks.h"
 #include "command/progress_line.h"
 #include "command/run_files.h"
 #include "command/suite.h"
@@ -130,10 +131,8 @@ std::string utcNow() {
 void printFailures(const std::vector<CheckResult>& checks) {
   for (const CheckResult& check : checks) {
     if (isFailure(check.outcome)) {
-      fmt::print("\n{}: {}\n{}\n", name(check.outcome), fullName(check), check.message);
-      if (!check.repro.empty()) {
-        fmt::print("  rerun: {}\n", check.repro);
-      }
+      fmt::print("\n");
+      printCheck(check);
     }
   }
 }

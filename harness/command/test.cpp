@@ -10,6 +10,7 @@
 #include "check/outcome.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
+#include "command/print_checks.h"
 #include "command/progress_line.h"
 #include "command/suite.h"
 #include "command/unit_tests.h"
@@ -38,13 +39,6 @@ Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, con
     });
   }
   return files;
-}
-
-void printCheck(const CheckResult& check) {
-  fmt::print("{}: {}\n{}\n", name(check.outcome), fullName(check), check.message);
-  if (!check.repro.empty()) {
-    fmt::print("  rerun: {}\n", check.repro);
-  }
 }
 
 // One line a test and scene; the whole message of what failed.

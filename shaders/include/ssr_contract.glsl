@@ -54,7 +54,7 @@ float column_far_m(float dist_view, TraceParameters parameters) {
 }
 
 // Whether the ray's 1/dist_view interval, given by its two ends in any order, overlaps the column [Z, Z + T).
-// Products instead of quotients: no division, and 0 * inf is NaN, which compares false: background is no hit.
+// Products instead of quotients: no division, and background, +inf times something positive, is no hit.
 bool column_overlaps(float inv_dist_a, float inv_dist_b, float dist_view, TraceParameters parameters) {
   return min(inv_dist_a, inv_dist_b) * dist_view <= 1.0 &&
          max(inv_dist_a, inv_dist_b) * column_far_m(dist_view, parameters) > 1.0;

@@ -34,15 +34,20 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
   vec2 primary = x_is_primary ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
   vec2 far_edge = ray_far_edge(ray);
   vec2 direction = 2.0 * far_edge - 1.0;
-  // Edges of the sampled columns along the primary axis, from the far edge of the origin's column on.
+  // The far edge of the last sampled column along the primary axis. Sampling starts behind the origin's column, in which
+  // an unbiased ray cannot leave its own texel sideways, or with it where the bias moved the origin.
   float stride_px = parameters.stride_px;
   vec2 column_edge = floor(ray.origin_px) + far_edge;
+  float s_column_in = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
+  if (parameters.origin_bias > 0.0) {
+    column_edge -= direction * stride_px;
+    s_column_in = 0.0;
+  }
   if (parameters.jitter > 0.0) {
     column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5) * stride_px);
   }
-  float s_first = ordered_dot(ray_s_at_edges(ray, floor(ray.origin_px) + far_edge), primary);
-  float s_column_in = s_first;
   vec2 half_block = (1.0 - primary) * (0.5 * stride_px);
+  float s_half_column = 0.5 * stride_px * abs(ordered_dot(ray.s_per_px, primary));
   float s_in = 0.0;
   float s_out = 0.0;
   float s_sample = 0.0;
@@ -50,14 +55,14 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
   float dist_view = 0.0;
   int lookups = 0;
   bool is_hit = false;
-  bool is_over = s_first >= ray.s_end;
+  bool is_over = s_column_in >= ray.s_end;
   for (int i = 0; i < parameters.lookup_budget; ++i) {
     if (is_over) {
       break;
     }
     column_edge += direction * stride_px;
     float s_column_out = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
-    s_sample = min(0.5 * (s_column_in + s_column_out), ray.s_end);
+    s_sample = clamp(s_column_out - s_half_column, 0.0, ray.s_end);
     texel = texel_at(ray_position_px(ray, s_sample), parameters);
     // The block's edges across the secondary axis.
     vec2 middle = texel + 0.5;

@@ -12,6 +12,7 @@
 #include "ssr_spaces.glsl"
 
 const float FAR_S = 1e30;         // later than every end of a ray
+const float FARTHEST_INV_DIST = 1e-20;
 const float PARALLEL_PX = 1e-20;  // px_per_s below this does not move: 1 / 1e-20 times any image size stays finite
 
 struct Ray {
@@ -28,7 +29,11 @@ struct Ray {
 };
 
 vec2 ray_position_px(Ray ray, float s) { return ray.origin_px + s * ray.px_per_s; }
-float ray_inv_dist(Ray ray, float s) { return ray.inv_dist_origin + s * ray.inv_dist_per_s; }
+
+// Never zero or negative, as rounding would have it at the vanishing point: a negative product with a background's
+// infinite distance would look like a hit, and zero times infinity is no number.
+float ray_inv_dist(Ray ray, float s) { return max(ray.inv_dist_origin + s * ray.inv_dist_per_s, FARTHEST_INV_DIST); }
+
 float ray_t_m(Ray ray, float s) { return s / ray_inv_dist(ray, s); }
 
 // s at which the ray crosses the lines x = edge_px.x and y = edge_px.y. Every march uses this one formula for every
