@@ -10,8 +10,8 @@
 namespace ssrkit {
 
 // How far from a tie an answer must be to count as certain: the tolerances of Ambiguity.
-inline constexpr double kTiePx = 2e-3;
-inline constexpr double kTieRelative = 2e-5;
+inline constexpr double kTiePx = 5e-4;
+inline constexpr double kTieRelative = 5e-6;
 inline constexpr double kTieCosine = 1e-6;
 
 // With sigma = t_m / dist_view both the pixel position and 1/dist_view are linear along a ray, for every
