@@ -22,7 +22,7 @@ class LeakClassifier {
   // Whether `answer` is what an 8-connected walk must say of the ray of pixel (x, y): the texel that the
   // oracle hit is off its path, and once it and every further hit off the path are taken away, what remains
   // is `answer` (its texel within 1 px, for the walk tests the depths of a whole column), or a miss of the
-  // class of the ray's end. A texel whose border the ray crosses within 2e-3 px of the column's centre may
+  // class of the ray's end. A texel whose border the ray crosses within 5e-4 px of the column's centre may
   // count as on the path or off it.
   [[nodiscard]] bool isLeak(const RayHit& answer, int x, int y);
 

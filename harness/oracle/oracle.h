@@ -29,8 +29,8 @@ struct OracleInput {
 // Why a ray's answer is a tie in single precision. Such rays are listed and capped, never dropped silently.
 enum class Ambiguity : std::uint8_t {
   kNone = 0,
-  kDepth,     // a column's near or far depth is met within 2e-5 relative
-  kPosition,  // a cell that would decide is entered or missed by less than 2e-3 px
+  kDepth,     // a column's near or far depth is met within 5e-6 relative
+  kPosition,  // a cell that would decide is entered or missed by less than 5e-4 px
   kEnd,       // the ray's end (image edge, near plane, range, into the surface) is a tie
 };
 
