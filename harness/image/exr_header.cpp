@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "image/oiio_setup.h"
+#include "image/codec.h"
 
 namespace ssrkit {
 

@@ -1,17 +1,14 @@
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <span>
 #include <utility>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "image/codec.h"
 #include "image/exr.h"
 #include "image/exr_header.h"
-#include "image/oiio_setup.h"
 
 namespace ssrkit {
 
@@ -79,58 +76,9 @@ Expected<std::vector<std::string>> wantedChannels(const fs::path& path, const Ex
   return wanted;
 }
 
-// For each wanted channel its number in the file.
-Expected<std::vector<std::size_t>> channelNumbers(const fs::path& path, const OIIO::ImageSpec& spec,
-                                                  const ExrHeader& header,
-                                                  const std::vector<std::string>& wanted) {
-  std::vector<std::size_t> numbers;
-  for (const std::string& channel : wanted) {
-    const auto found = std::ranges::find(spec.channelnames, channel);
-    numbers.push_back(static_cast<std::size_t>(found - spec.channelnames.begin()));
-  }
-  const bool all_found = std::ranges::max(numbers) < spec.channelnames.size();
-  if (!all_found || spec.width != header.size.width || spec.height != header.size.height || spec.deep) {
-    return readError(path, "its header contradicts itself", "write the file again");
-  }
-  return numbers;
-}
-
-// Reads the smallest range that holds the wanted channels in one go (each call would decompress the whole
-// file again) and puts them in the wanted order.
-Expected<Image> readChannels(const fs::path& path, const std::string& file, const ExrHeader& header,
-                             const std::vector<std::string>& wanted) {
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file.data()),
-                                       file.size());  // OIIO 2.4 takes no const
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("exr", false, nullptr, &memory);
-  OIIO::ImageSpec spec;
-  if (!input || !input->set_ioproxy(&memory) || !input->open(path.string(), spec)) {
-    return readError(path, "it is damaged: " + (input ? input->geterror() : OIIO::geterror()),
-                     "write the file again");
-  }
-  const Expected<std::vector<std::size_t>> numbers = channelNumbers(path, spec, header, wanted);
-  if (!numbers) {
-    return tl::make_unexpected(numbers.error());
-  }
-  const auto [first, last] = std::ranges::minmax(*numbers);
-  const std::size_t range = last - first + 1;
-  Image image(header.size, wanted);
-  std::vector<float> texels(image.texelCount() * range);
-  if (!input->read_image(0, 0, static_cast<int>(first), static_cast<int>(last) + 1, OIIO::TypeDesc::FLOAT,
-                         texels.data())) {
-    return readError(path, "it is damaged: " + input->geterror(), "write the file again");
-  }
-  for (std::size_t texel = 0; texel < image.texelCount(); ++texel) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      image.data[texel * wanted.size() + i] = texels[texel * range + (*numbers)[i] - first];
-    }
-  }
-  return image;
-}
-
 }  // namespace
 
 Expected<Image> readExr(const fs::path& path, const ExrExpectation& expected) {
-  setUpOiio();
   const Expected<std::string> file = readFile(path, kMaxFileBytes);
   if (!file) {
     return tl::make_unexpected(file.error());
@@ -143,7 +91,15 @@ Expected<Image> readExr(const fs::path& path, const ExrExpectation& expected) {
   if (!wanted) {
     return tl::make_unexpected(wanted.error());
   }
-  return readChannels(path, *file, *header, *wanted);
+  const auto codec = imageCodec();
+  if (!codec) {
+    return tl::make_unexpected(codec.error());
+  }
+  Image image(header->size, *wanted);
+  if (std::string problem = (*codec)->decodeExr(*file, image); !problem.empty()) {
+    return readError(path, std::move(problem), "write the file again");
+  }
+  return image;
 }
 
 }  // namespace ssrkit

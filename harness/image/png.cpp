@@ -1,17 +1,14 @@
 #include "image/png.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
-#include "image/oiio_setup.h"
+#include "image/codec.h"
 
 namespace ssrkit {
 
@@ -20,8 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 28;
-constexpr int kFastestLevel = 1;  // previews are written by every run; level 6 takes twice as long
-constexpr int kPngFilterSub = 0x10;
 
 tl::unexpected<Error> readError(const fs::path& path, std::string problem) {
   return inputError(fmt::format("read '{}'", path.string()), std::move(problem), {}, "write it again as PNG");
@@ -48,47 +43,30 @@ ByteImage spreadGrey(const ByteImage& grey) {
 Expected<void> writePng(const fs::path& path, const ByteImage& image) {
   SSRKIT_CHECK(image.channel_count == 3 || image.channel_count == 4);
   SSRKIT_CHECK_EQ(image.data.size(), image.texelCount() * static_cast<std::size_t>(image.channel_count));
-  setUpOiio();
-  OIIO::ImageSpec spec(image.size.width, image.size.height, image.channel_count, OIIO::TypeDesc::UINT8);
-  spec.attribute("png:compressionLevel", kFastestLevel);
-  spec.attribute("png:filter", kPngFilterSub);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);
+  const auto codec = imageCodec();
+  if (!codec) {
+    return tl::make_unexpected(codec.error());
+  }
   std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-  if (!output || !output->set_ioproxy(&memory) || !output->open(path.string(), spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, image.data.data()) || !output->close()) {
-    return setupError(fmt::format("encode '{}' as PNG", path.string()),
-                      output ? output->geterror() : OIIO::geterror(), {},
-                      "check the installation of the package libopenimageio2.4");
+  if (std::string problem = (*codec)->encodePng(image, bytes); !problem.empty()) {
+    return setupError(fmt::format("encode '{}' as PNG", path.string()), std::move(problem));
   }
   return writeFileAtomically(path,
                              std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 Expected<ByteImage> readPng(const fs::path& path) {
-  setUpOiio();
   const Expected<std::string> file = readFile(path, kMaxFileBytes);
   if (!file) {
     return tl::make_unexpected(file.error());
   }
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file->data()),
-                                       file->size());  // OIIO 2.4 takes no const
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("png", false, nullptr, &memory);
-  OIIO::ImageSpec spec;
-  if (!input || !input->set_ioproxy(&memory) || !input->open(path.string(), spec, config)) {
-    return readError(path, "it is not a PNG file, or it is damaged");
+  const auto codec = imageCodec();
+  if (!codec) {
+    return tl::make_unexpected(codec.error());
   }
-  if (spec.width > kMaxImageSide || spec.height > kMaxImageSide) {
-    return readError(path, fmt::format("it is {} x {} texels, and the kit reads up to {} on a side",
-                                       spec.width, spec.height, kMaxImageSide));
-  }
-  ByteImage image(Size{spec.width, spec.height}, spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.data.data())) {
-    return readError(path, "it is damaged: " + input->geterror());
+  ByteImage image;
+  if (std::string problem = (*codec)->decodePng(*file, image); !problem.empty()) {
+    return readError(path, std::move(problem));
   }
   return image.channel_count < 3 ? spreadGrey(image) : image;
 }

@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "image/codec.h"
 #include "image/colour_map.h"
 #include "image/glyph_cache.h"
 
@@ -90,6 +91,9 @@ Expected<TextPainter> TextPainter::load() {
   if (!regular || !bold) {
     return setupError("draw text into pictures", "the font DejaVu Sans is not installed", {},
                       "install the package fonts-dejavu-core");
+  }
+  if (const auto codec = imageCodec(); !codec) {
+    return tl::make_unexpected(codec.error());
   }
   return TextPainter(std::make_unique<GlyphCache>(regular->string()),
                      std::make_unique<GlyphCache>(bold->string()));
