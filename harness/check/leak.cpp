@@ -24,8 +24,8 @@ OnPath onPath(const ImageRay& ray, int x, int y) {
   }
   const double centre_px = (primary == 0 ? x : y) + 0.5;
   const int secondary = 1 - primary;
-  // A ray that ends before the middle of its last column is looked up at its end, one that starts (by the origin's
-  // bias) behind the middle of its first at its origin.
+  // A ray that ends before the middle of its last column is looked up at its end, one that starts (by the
+  // origin's bias) behind the middle of its first at its origin.
   const double sigma = std::clamp(ray.sigmaAt(primary, centre_px), 0.0, ray.sigma_end);
   const double within = ray.pxAt(sigma)[secondary] - (secondary == 0 ? x : y);
   if (within > kTiePx && within < 1.0 - kTiePx) {

@@ -8,7 +8,7 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
       return measureDifferentRays(expectation, subject);
     case Metric::kAmbiguousShare:
       return measureAmbiguousShare(subject);
-    case Metric::kVerdictCount:
+    case Metric::kVerdicts:
     case Metric::kVerdictShare:
       return measureVerdicts(expectation, subject);
     case Metric::kHitPositionPx:

@@ -23,7 +23,7 @@ std::vector<MetricRow> rowsAgainstTruth() {
        .truths = {kOracle, kStage, kCross, kCase, kRendered},
        .zero_by_default = true},
       {.metric = M::kAmbiguousShare, .name = "ambiguous_share", .unit = "share", .truths = {kOracle}},
-      {.metric = M::kVerdictCount,
+      {.metric = M::kVerdicts,
        .name = "verdict_count",
        .unit = "rays",
        .truths = {kOracle},

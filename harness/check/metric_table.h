@@ -13,7 +13,7 @@ namespace ssrkit {
 enum class Metric : std::uint8_t {
   kDifferentRays,
   kAmbiguousShare,
-  kVerdictCount,
+  kVerdicts,
   kVerdictShare,
   kHitPositionPx,
   kClosedForm,

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "made_answers.h"
+#include "oracle/image_ray.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr Size kSize{8, 8};
+const std::string kCases =
+    "[[case]]\nname = \"a\"\nstep_m = 0.4\n[[case]]\nname = \"b\"\nstep_m = 0.2\n"
+    "[[case]]\nname = \"c\"\nstep_m = 0.1\n";
+
+// Three cases with half the step each. The oracle hits every ray 1 m along it; the case's hits lie `errors`
+// metres further on.
+Bench converging(const std::vector<double>& steps_m, const std::vector<double>& errors_m) {
+  Bench bench;
+  for (std::size_t i = 0; i < steps_m.size(); ++i) {
+    Answer& answer =
+        bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", std::string(1, static_cast<char>('a' + i)));
+    answer.parameters.step_m = steps_m[i];
+    bench.setOracle(answer, shiftedRecord(kSize));
+    OracleInput& input = bench.setWorld(answer, 4.0F);
+    const PixelProjection projection = pixelProjection(*input.camera);
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        const ImageRay ray = pixelRay(input, projection, x, y).ray;
+        const auto put = [&](RayHit& hit, double t_m) {
+          const glm::dvec2 px = ray.pxAt(t_m * ray.inv_dist_origin / (1.0 - t_m * ray.inv_dist_per_sigma));
+          hit.px_x = static_cast<float>(px.x);
+          hit.px_y = static_cast<float>(px.y);
+          hit.t_m = static_cast<float>(t_m);
+        };
+        const auto index = static_cast<std::size_t>(y * kSize.width + x);
+        put(bench.oracles.back().record.rays[index], 1.0);
+        put(bench.records.back().rays[index], 1.0 + errors_m[i]);
+      }
+    }
+  }
+  return bench;
+}
+
+Expectation convergence(const std::string& keys = "") {
+  return expectation("metric = \"convergence\"\ncases = [\"a\", \"b\", \"c\"]\nmax = 1.0\n" + keys, kCases);
+}
+
+TEST(Convergence, ErrorsWithinTheProjectedStepThatFallPass) {
+  const CheckResult result = converging({0.4, 0.2, 0.1}, {0.36, 0.18, 0.09}).check(convergence());
+  EXPECT_EQ(outcomeName(result), "pass") << result.message;
+  EXPECT_GT(*result.value, 0.8);
+}
+
+TEST(Convergence, AnErrorLongerThanItsStepFails) {
+  EXPECT_EQ(outcomeName(converging({0.4, 0.2, 0.1}, {0.36, 0.18, 0.2}).check(convergence())), "fail");
+  EXPECT_EQ(outcomeName(converging({0.4, 0.2, 0.1}, {0.9, 0.18, 0.09}).check(convergence())), "fail");
+}
+
+TEST(Convergence, AnErrorThatDoesNotFallFails) {
+  const CheckResult result = converging({0.4, 0.2, 0.1}, {0.09, 0.09, 0.09}).check(convergence());
+  EXPECT_EQ(outcomeName(result), "fail");
+  EXPECT_NE(result.message.find("does not fall"), std::string::npos) << result.message;
+}
+
+TEST(Convergence, NoErrorNeedNotFall) {
+  EXPECT_EQ(outcomeName(converging({0.4, 0.2, 0.1}, {0.0, 0.0, 0.0}).check(convergence())), "pass");
+}
+
+TEST(Convergence, BisectionsHalveTheStepThatIsAllowed) {
+  Bench bench = converging({0.4, 0.4, 0.4}, {0.36, 0.18, 0.09});
+  bench.answers[1].parameters.bisection_count = 1;
+  bench.answers[2].parameters.bisection_count = 2;
+  EXPECT_EQ(outcomeName(bench.check(convergence())), "pass");
+  bench.answers[2].parameters.bisection_count = 3;
+  EXPECT_EQ(outcomeName(bench.check(convergence())), "fail");
+}
+
+TEST(Convergence, MissedHitsAreInfinitelyWrongUpToThePercentile) {
+  Bench bench = converging({0.4, 0.2, 0.1}, {0.36, 0.18, 0.09});
+  for (std::size_t i = 0; i < 6; ++i) {
+    bench.records[2].rays[i] = without(RayClass::kRange);  // 6 of 64
+  }
+  EXPECT_EQ(outcomeName(bench.check(convergence())), "fail");
+  EXPECT_EQ(outcomeName(bench.check(convergence("percentile = 90.0"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(convergence("percentile = 91.0"))), "fail");
+}
+
+TEST(Convergence, ACaseThatDidNotRunIsAnError) {
+  Bench bench = converging({0.4, 0.2}, {0.36, 0.18});
+  EXPECT_EQ(outcomeName(bench.check(convergence())), "error");
+}
+
+// Budgets 2 and 5 on rays that need up to 3 lookups.
+Bench budgets() {
+  Bench bench;
+  for (const int budget : {2, 5}) {
+    RayRecord record = shiftedRecord(kSize);
+    if (budget == 2) {
+      record.rays[0] = without(RayClass::kBudget, 2);
+    }
+    bench.add("hiz", record, "gl-osmesa", budget == 2 ? "a" : "b").parameters.lookup_budget = budget;
+  }
+  return bench;
+}
+
+TEST(BudgetMonotone, OnlyBudgetMayTurnIntoAnAnswer) {
+  const Expectation monotone = expectation("metric = \"budget_monotone\"\ncases = [\"a\", \"b\"]", kCases);
+  Bench bench = budgets();
+  EXPECT_EQ(outcomeName(bench.check(monotone)), "pass");
+  bench.records[1].rays[3].texel_x += 1;
+  EXPECT_EQ(outcomeName(bench.check(monotone)), "fail");
+  bench = budgets();
+  bench.records[1].rays[3] = without(RayClass::kBudget);
+  EXPECT_EQ(outcomeName(bench.check(monotone)), "fail");
+  bench.answers[1].parameters.lookup_budget = 2;
+  EXPECT_EQ(outcomeName(bench.check(monotone)), "error");
+}
+
+}  // namespace
+}  // namespace ssrkit

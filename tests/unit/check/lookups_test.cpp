@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "made_answers.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr Size kSize{8, 8};
+
+TEST(Lookups, MeanPercentileAndLargestLeaveMaskedPixelsOut) {
+  Bench bench;
+  RayRecord record{kSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
+  for (std::size_t i = 0; i < 20; ++i) {
+    record.rays[i] = hitAt(1, 1, i == 19 ? 105 : 5);
+  }
+  bench.add("hiz", record);
+  const auto bound = [](const std::string& metric, const std::string& max) {
+    return expectation("metric = \"" + metric + "\"\nmax = " + max);
+  };
+  EXPECT_EQ(bench.check(bound("mean_lookups", "10")).value, 10.0);
+  EXPECT_EQ(outcomeName(bench.check(bound("mean_lookups", "10"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(bound("mean_lookups", "9.99"))), "fail");
+  EXPECT_EQ(bench.check(bound("p95_lookups", "5")).value, 5.0);
+  EXPECT_EQ(outcomeName(bench.check(bound("p95_lookups", "4"))), "fail");
+  EXPECT_EQ(bench.check(bound("max_lookups", "105")).value, 105.0);
+  EXPECT_EQ(outcomeName(bench.check(bound("max_lookups", "104"))), "fail");
+}
+
+TEST(Lookups, RatiosAndGrowthAreOfTheMeans) {
+  Bench bench;
+  const auto all = [](Size size, std::uint32_t lookups) {
+    RayRecord record = shiftedRecord(size);
+    std::ranges::for_each(record.rays, [&](RayHit& ray) { ray.lookups = lookups; });
+    return record;
+  };
+  bench.add("hiz", all(kSize, 10));
+  bench.add("walk", all(kSize, 130));
+  bench.add("hiz", all({16, 16}, 16));
+  const auto ratio = [](const char* min) {
+    return expectation(std::string("metric = \"lookup_ratio\"\ntruth = \"stage:walk\"\nmin = ") + min);
+  };
+  EXPECT_EQ(outcomeName(bench.check(ratio("13"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(ratio("13.1"))), "fail");
+  const auto added = [](const char* max) {
+    return expectation(std::string("metric = \"lookups_added\"\ntruth = \"size:8x8\"\nmax = ") + max);
+  };
+  EXPECT_EQ(outcomeName(bench.check(added("6"), 2)), "pass");
+  EXPECT_EQ(outcomeName(bench.check(added("5.9"), 2)), "fail");
+  bench.records.front() = all(kSize, 0);  // a stage that counts nothing proves nothing
+  EXPECT_EQ(outcomeName(bench.check(ratio("13"))), "error");
+}
+
+}  // namespace
+}  // namespace ssrkit

@@ -1,0 +1,215 @@
+// Every metric passes at its bound and fails one unit beyond it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "made_answers.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr Size kSize{8, 8};
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+// One stage's answer and the oracle's, equal until a test changes one.
+struct AgainstOracle : Bench {
+  AgainstOracle() {
+    Answer& answer = add("hiz", shiftedRecord(kSize));
+    setOracle(answer, shiftedRecord(kSize));
+    setWorld(answer, 4.0F);
+  }
+  RayHit& ray(std::size_t i) { return records.front().rays[i]; }
+  RayHit& truth(std::size_t i) { return oracles.front().record.rays[i]; }
+};
+
+TEST(DifferentRays, OneRayMoreThanTheBoundFails) {
+  AgainstOracle bench;
+  const Expectation none = expectation("metric = \"different_rays\"");
+  EXPECT_EQ(outcomeName(bench.check(none)), "pass");
+  bench.ray(5).texel_x += 1;
+  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
+  EXPECT_EQ(bench.check(none).value, 1.0);
+  const Expectation one = expectation("metric = \"different_rays\"\nmax = 1");
+  EXPECT_EQ(outcomeName(bench.check(one)), "pass");
+  bench.ray(6) = without(RayClass::kRange);
+  EXPECT_EQ(outcomeName(bench.check(one)), "fail");
+}
+
+TEST(DifferentRays, TiesAreLeftOutAndCounted) {
+  AgainstOracle bench;
+  bench.ray(5).texel_x += 1;
+  bench.oracles.front().ambiguity[5] = Ambiguity::kDepth;
+  const CheckResult result = bench.check(expectation("metric = \"different_rays\""));
+  EXPECT_EQ(outcomeName(result), "pass");
+  EXPECT_NE(result.message.find("1 rays are ties"), std::string::npos) << result.message;
+}
+
+TEST(DifferentRays, WithoutATruthTheCheckIsAnError) {
+  AgainstOracle bench;
+  bench.answers[0].oracle = nullptr;
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"different_rays\""))), "error");
+  const Expectation stage = expectation("metric = \"different_rays\"\ntruth = \"stage:walk\"");
+  EXPECT_EQ(outcomeName(bench.check(stage)), "error");
+  bench.add("walk", shiftedRecord({16, 16}));
+  EXPECT_EQ(outcomeName(bench.check(stage)), "error");  // of another size
+  bench.add("walk", shiftedRecord(kSize));
+  EXPECT_EQ(outcomeName(bench.check(stage)), "pass");
+  bench.records.back().rays[0].texel_y += 1;
+  EXPECT_EQ(outcomeName(bench.check(stage)), "fail");
+  bench.answers[0].record = nullptr;
+  EXPECT_EQ(outcomeName(bench.check(stage)), "error");
+}
+
+TEST(DifferentRays, AnImageWithoutARayFailsUnlessItIsAllowed) {
+  Bench bench;
+  const RayRecord masked{kSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
+  bench.setOracle(bench.add("hiz", masked), masked);
+  const CheckResult result = bench.check(expectation("metric = \"different_rays\""));
+  EXPECT_EQ(outcomeName(result), "fail");
+  EXPECT_NE(result.message.find("no ray was compared"), std::string::npos);
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"different_rays\"\nallow_empty = true"))), "pass");
+}
+
+TEST(AmbiguousShare, OneTieMoreThanTheBoundFails) {
+  AgainstOracle bench;
+  const Expectation two = expectation("metric = \"ambiguous_share\"\nmax = 0.03125");  // 2 of 64
+  bench.oracles.front().ambiguity[1] = Ambiguity::kEnd;
+  bench.oracles.front().ambiguity[2] = Ambiguity::kEnd;
+  EXPECT_EQ(outcomeName(bench.check(two)), "pass");
+  bench.oracles.front().ambiguity[3] = Ambiguity::kPosition;
+  EXPECT_EQ(outcomeName(bench.check(two)), "fail");
+}
+
+TEST(VerdictCount, OnlyTheNamedVerdictsCount) {
+  AgainstOracle bench;
+  const Expectation wrong = expectation("metric = \"verdict_count\"\nverdicts = [\"WRONG\", \"FALSE_HIT\"]");
+  const Expectation near = expectation("metric = \"verdict_share\"\nverdicts = [\"NEAR\"]\nmax = 0.015625");
+  bench.ray(9).texel_x = 2;  // the truth's is 1
+  EXPECT_EQ(outcomeName(bench.check(wrong)), "pass");
+  EXPECT_EQ(outcomeName(bench.check(near)), "pass");
+  bench.ray(10).texel_x = 3;
+  EXPECT_EQ(outcomeName(bench.check(near)), "fail");
+  bench.truth(11) = without(RayClass::kOffscreen);
+  const CheckResult result = bench.check(wrong);
+  EXPECT_EQ(outcomeName(result), "fail");
+  EXPECT_NE(result.message.find("NEAR 2"), std::string::npos) << result.message;
+}
+
+TEST(HitPosition, TheLargestOrAPercentileOfTheDistance) {
+  AgainstOracle bench;
+  bench.ray(3).px_x += 0.25F;
+  const auto bound = [](const char* keys) {
+    return expectation(std::string("metric = \"hit_position_px\"\n") + keys);
+  };
+  EXPECT_EQ(outcomeName(bench.check(bound("max = 0.25"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(bound("max = 0.2499"))), "fail");
+  EXPECT_EQ(outcomeName(bench.check(bound("max = 0.0\npercentile = 98.0"))), "pass");  // 63 of 64 are exact
+  bench.ray(4).px_y = kNaN;
+  EXPECT_EQ(outcomeName(bench.check(bound("max = 1e9"))), "fail");
+}
+
+TEST(ClosedForm, TheFormulaOfM1MovesOneRowAndTheCheckFails) {
+  Bench bench;
+  const Size size{256, 256};
+  RayRecord record{size, {}};
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      // Rows from the top: the floor meets the wall at row 160, and row y shows row 319 - y.
+      RayHit ray = y >= 160 ? hitAt(x, 319 - y, static_cast<std::uint32_t>(y - (319 - y)))
+                            : without(RayClass::kMasked);
+      record.rays.push_back(ray);
+    }
+  }
+  bench.add("walk", record).size = size;
+  const Expectation form = expectation("metric = \"closed_form\"");
+  const CheckResult good = bench.check(form, 0, "m1");
+  EXPECT_EQ(outcomeName(good), "pass") << good.message;
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"closed_form_lookups\""), 0, "m1")), "pass");
+  RayRecord& kept = bench.records.front();
+  kept.rays[200 * 256 + 7].lookups += 1;
+  EXPECT_EQ(outcomeName(bench.check(form, 0, "m1")), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"closed_form_lookups\""), 0, "m1")), "fail");
+  kept.rays[200 * 256 + 7].texel_y += 1;
+  EXPECT_EQ(outcomeName(bench.check(form, 0, "m1")), "fail");
+  EXPECT_EQ(outcomeName(bench.check(form, 0, "clutter")), "error");
+}
+
+TEST(Identical, AnyBitOfTheRecordCountsUnlessItsFieldIsIgnored) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  const Expectation all = expectation("metric = \"identical\"\ntruth = \"cross:gl-osmesa\"");
+  const Expectation most =
+      expectation("metric = \"identical\"\ntruth = \"cross:gl-osmesa\"\nignore = [\"lookups\", \"steps\"]");
+  EXPECT_EQ(outcomeName(bench.check(all)), "pass");
+  RayHit& ray = bench.records.front().rays[12];
+  ray.lookups += 1;
+  EXPECT_EQ(outcomeName(bench.check(all)), "fail");
+  EXPECT_EQ(outcomeName(bench.check(most)), "pass");
+  ray.t_m = std::nextafter(ray.t_m, 2.0F);
+  EXPECT_EQ(outcomeName(bench.check(most)), "fail");
+  bench.answers[1].device = "vk-swiftshader";
+  EXPECT_EQ(outcomeName(bench.check(most)), "error");
+}
+
+TEST(Identical, ImagesAreComparedBitByBit) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "lit", 1.0F);
+  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "lit", 1.0F);
+  const Expectation same =
+      expectation("metric = \"identical\"\nbuffer = \"lit\"\ntruth = \"cross:gl-osmesa\"");
+  EXPECT_EQ(outcomeName(bench.check(same)), "pass");
+  yours.at(3, 3) = std::nextafter(1.0F, 2.0F);
+  EXPECT_EQ(outcomeName(bench.check(same)), "fail");
+  bench.answers[1].images.clear();
+  EXPECT_EQ(outcomeName(bench.check(same)), "error");
+}
+
+TEST(CoverageFlips, BackgroundAgainstForegroundCounts) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
+  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 5.0F);
+  const Expectation none =
+      expectation("metric = \"coverage_flips\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
+  EXPECT_EQ(outcomeName(bench.check(none)), "pass");
+  yours.at(0, 0) = kInfinity;
+  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
+}
+
+TEST(RelativeError, IsOfTheTruthAndNeverForgivesNaN) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
+  Image& truth = bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  const std::string keys = "buffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\n";
+  const Expectation relative = expectation("metric = \"relative_error\"\n" + keys + "max = 0.125");
+  const Expectation absolute = expectation("metric = \"absolute_error\"\n" + keys + "max = 0.5");
+  yours.at(1, 1) = 4.5F;
+  EXPECT_EQ(outcomeName(bench.check(relative)), "pass");
+  EXPECT_EQ(outcomeName(bench.check(absolute)), "pass");
+  yours.at(1, 1) = 4.5001F;
+  EXPECT_EQ(outcomeName(bench.check(relative)), "fail");
+  EXPECT_EQ(outcomeName(bench.check(absolute)), "fail");
+  yours.at(1, 1) = kInfinity;
+  truth.at(1, 1) = kInfinity;
+  EXPECT_EQ(outcomeName(bench.check(relative)), "pass");
+  yours.at(1, 1) = kNaN;
+  EXPECT_EQ(outcomeName(bench.check(relative)), "fail");
+}
+
+TEST(MaskFlips, AreCountedPerMillionPixels) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  const Expectation one = expectation(
+      "metric = \"mask_flips_per_million\"\ntruth = \"cross:gl-osmesa\"\nmax = 15625");  // 1 of 64
+  bench.records.front().rays[3] = without(RayClass::kRange);
+  EXPECT_EQ(outcomeName(bench.check(one)), "pass");
+  bench.records.front().rays[4] = without(RayClass::kRange);
+  EXPECT_EQ(outcomeName(bench.check(one)), "fail");
+}
+
+}  // namespace
+}  // namespace ssrkit

@@ -1,0 +1,227 @@
+#include "check/read_expectations.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "spaces/trace_parameters.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr const char* kGood = R"([test]
+id = "t.one"
+about = "a test"
+scenes = ["m1"]
+sizes = ["640x360", "1x1"]
+stages = ["hiz", "walk"]
+rounds = 12
+
+[[case]]
+name = "t_inf"
+thickness_m = inf
+
+[[case]]
+name = "t_5pct"
+thickness_m = 0
+thickness_rel = 0.05
+form = "textbook"
+
+[[expect]]
+metric = "different_rays"
+
+[[expect]]
+name = "cost"
+metric = "lookup_ratio"
+stages = ["hiz"]
+cases = ["t_inf"]
+sizes = ["640x360"]
+truth = "stage:walk"
+min = 13
+)";
+
+// The good file with `from` replaced by `to`, once.
+std::string changed(std::string_view from, std::string_view to) {
+  std::string text = kGood;
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+// The complaint about a file, or "read" when there is none.
+std::string complaint(const std::string& content, const KnownNames& known = {}) {
+  const Expected<TestFile> test = readExpectations(content, "t.toml", known);
+  return test ? "read" : sentence(test.error());
+}
+
+#define EXPECT_COMPLAINT(content, ...)                                                     \
+  do {                                                                                     \
+    const std::string text = complaint(content);                                           \
+    for (const char* part : {__VA_ARGS__}) {                                               \
+      EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in: " << text; \
+    }                                                                                      \
+  } while (false)
+
+TEST(ReadExpectations, AGoodFileIsReadWhole) {
+  const Expected<TestFile> test = readExpectations(kGood, "t.toml");
+  ASSERT_TRUE(test.has_value()) << sentence(test.error());
+  EXPECT_EQ(test->id, "t.one");
+  EXPECT_EQ(test->sizes, (std::vector<Size>{{640, 360}, {1, 1}}));
+  EXPECT_EQ(test->rounds, 12);
+  ASSERT_EQ(test->cases.size(), 2U);
+  TraceParameters parameters;
+  for (const auto& [name, value] : test->cases[1].parameters) {
+    ASSERT_TRUE(setParameter(parameters, name, value, "").has_value()) << name;
+  }
+  EXPECT_EQ(parameters.thickness_m, 0.0);
+  EXPECT_EQ(parameters.thickness_rel, 0.05);
+  EXPECT_EQ(parameters.form, TracerForm::kTextbook);
+  ASSERT_EQ(test->expectations.size(), 2U);
+  const Expectation& first = test->expectations[0];
+  EXPECT_EQ(first.name, "different_rays");
+  EXPECT_EQ(first.truth.kind, TruthKind::kOracle);
+  EXPECT_EQ(first.max, 0.0);
+  EXPECT_EQ(first.stages, (std::vector<std::string>{"hiz", "walk"}));
+  EXPECT_EQ(first.cases, (std::vector<std::string>{"t_inf", "t_5pct"}));
+  const Expectation& second = test->expectations[1];
+  EXPECT_EQ(second.truth, (Truth{TruthKind::kStage, "walk"}));
+  EXPECT_EQ(second.min, 13.0);
+  EXPECT_EQ(second.max, std::nullopt);
+  EXPECT_EQ(second.where, "t.toml:22:1");
+}
+
+TEST(ReadExpectations, WhatIsNoTomlIsRefusedWithItsPlace) {
+  EXPECT_COMPLAINT("[test]\nid = \n", "t.toml:2:", "could not read the expectations 't.toml'");
+  EXPECT_COMPLAINT("[test]\nid = \"a\"\nid = \"b\"\n", "t.toml:3:");
+  EXPECT_COMPLAINT("", "no [test] section");
+}
+
+TEST(ReadExpectations, UnknownKeysNameTheNearest) {
+  EXPECT_COMPLAINT(changed("about =", "abuot ="), "t.toml:3:1", "unknown key 'abuot' in [test]", "'about'");
+  EXPECT_COMPLAINT(changed("thickness_rel", "thickness_rell"), "t.toml:16:1", "in [[case]]",
+                   "'thickness_rel'");
+  EXPECT_COMPLAINT(changed("min = 13", "mim = 13"), "t.toml:29:1", "in [[expect]]");
+  EXPECT_COMPLAINT(changed("[[case]]", "[[cases]]"), "unknown key 'cases'", "'case'");
+}
+
+TEST(ReadExpectations, KeysOfOtherMetricsAreUnknown) {
+  EXPECT_COMPLAINT(changed("min = 13", "min = 13\nverdicts = [\"LEAK\"]"), "unknown key 'verdicts'");
+  EXPECT_COMPLAINT(changed("min = 13", "min = 13\nmargin = 0.1"), "unknown key 'margin'");
+}
+
+TEST(ReadExpectations, WrongTypesSayWhatWasWanted) {
+  EXPECT_COMPLAINT(changed("\"t.one\"", "7"), "t.toml:2:6", "'id' in [test] must be text, not an integer");
+  EXPECT_COMPLAINT(changed("[\"m1\"]", "\"m1\""), "t.toml:4:", "must be a list, not text");
+  EXPECT_COMPLAINT(changed("[\"m1\"]", "[\"m1\", 3]"), "t.toml:4:", "list of text, not of an integer");
+  EXPECT_COMPLAINT(changed("min = 13", "min = \"13\""), "must be a number, not text");
+  EXPECT_COMPLAINT(changed("rounds = 12", "rounds = 1.5"), "must be an integer");
+  EXPECT_COMPLAINT(changed("thickness_m = inf", "thickness_m = [1]"), "cannot be a list");
+  EXPECT_COMPLAINT("[test]\nid = \"a\"\nabout = \"b\"\nscenes = [\"all\"]\n[case]\nname = \"c\"\n",
+                   "t.toml:5:", "write it as [[case]]");
+  EXPECT_COMPLAINT("test = 1\n", "no [test] section");
+  EXPECT_COMPLAINT(changed("[[expect]]\nmetric", "expect = [1]\nmetric"), "t.toml:");
+}
+
+TEST(ReadExpectations, MissingKeysAreNamed) {
+  EXPECT_COMPLAINT(changed("id = \"t.one\"", ""), "[test] lacks the key 'id'");
+  EXPECT_COMPLAINT(changed("about = \"a test\"", ""), "lacks the key 'about'");
+  EXPECT_COMPLAINT(changed("scenes = [\"m1\"]", ""), "lacks the key 'scenes'");
+  EXPECT_COMPLAINT(changed("name = \"t_inf\"", ""), "t.toml:9:1", "[[case]] lacks the key 'name'");
+  EXPECT_COMPLAINT(changed("metric = \"different_rays\"", ""), "t.toml:19:1", "lacks the key 'metric'");
+  EXPECT_COMPLAINT("[test]\nid = \"a\"\nabout = \"b\"\nscenes = [\"all\"]\n", "expects nothing");
+}
+
+TEST(ReadExpectations, NamesGivenTwiceAreRefused) {
+  EXPECT_COMPLAINT(changed("\"t_5pct\"", "\"t_inf\""), "t.toml:14:8", "two cases are named 't_inf'");
+  EXPECT_COMPLAINT(changed("\"cost\"", "\"different_rays\""), "two expectations are named 'different_rays'");
+  EXPECT_COMPLAINT(changed("[\"hiz\", \"walk\"]", "[\"hiz\", \"hiz\"]"), "names 'hiz' twice");
+}
+
+TEST(ReadExpectations, IdsAreSmallLettersDigitsDotsAndDashes) {
+  EXPECT_COMPLAINT(changed("t.one", "T one"), "t.toml:2:6", "'T one' is no id");
+  EXPECT_COMPLAINT(changed("t_inf", "t inf"), "'t inf' is no id");
+}
+
+TEST(ReadExpectations, ValuesOutOfRangeAreRefused) {
+  EXPECT_COMPLAINT(changed("640x360", "640*360"), "t.toml:5:", "is no size");
+  EXPECT_COMPLAINT(changed("640x360", "0x360"), "is no size");
+  EXPECT_COMPLAINT(changed("640x360", "16385x1"), "is no size");
+  EXPECT_COMPLAINT(changed("640x360", "1.5x2"), "is no size");
+  EXPECT_COMPLAINT(changed("rounds = 12", "rounds = 0"), "outside 1 to 1000");
+  EXPECT_COMPLAINT(changed("thickness_rel = 0.05", "thickness_rel = -1.0"), "t.toml:16:");
+  EXPECT_COMPLAINT(changed("min = 13", "min = nan"), "'min'");
+  EXPECT_COMPLAINT(changed("min = 13", "min = 13\nmax = 12"), "larger than 'max'");
+}
+
+TEST(ReadExpectations, MetricsAndTheirTruthsMustFit) {
+  EXPECT_COMPLAINT(changed("different_rays", "diferent_rays"), "unknown metric", "'different_rays'");
+  EXPECT_COMPLAINT(changed("stage:walk", "stage:"), "cannot be held against 'stage:'");
+  EXPECT_COMPLAINT(changed("stage:walk", "oracle"), "'lookup_ratio' cannot be held against 'oracle'",
+                   "stage:NAME");
+  EXPECT_COMPLAINT(changed("truth = \"stage:walk\"\n", ""), "needs a truth");
+  EXPECT_COMPLAINT(changed("min = 13", ""), "no bound to hold");
+  EXPECT_COMPLAINT(changed("min = 13", "min = 13\nunit = \"px\""), "in 'times fewer lookups', not in 'px'");
+  EXPECT_COMPLAINT(changed("min = 13", "min = 13\nbuffer = \"dist_view\""),
+                   "cannot judge the buffer 'dist_view'");
+}
+
+TEST(ReadExpectations, ScopesArePartsOfTheTest) {
+  EXPECT_COMPLAINT(changed("stages = [\"hiz\"]", "stages = [\"dda\"]"), "unknown stage 'dda'");
+  EXPECT_COMPLAINT(changed("cases = [\"t_inf\"]", "cases = [\"t_in\"]"), "unknown case 't_in'", "'t_inf'");
+  EXPECT_COMPLAINT(changed("sizes = [\"640x360\"]\ntruth", "sizes = [\"2x2\"]\ntruth"),
+                   "not among the test's sizes");
+  EXPECT_COMPLAINT(changed("stages = [\"hiz\", \"walk\"]\n", ""), "the test runs none");
+}
+
+TEST(ReadExpectations, MetricsOverCasesNeedTwoAndTimedOnesNeedRounds) {
+  EXPECT_COMPLAINT(changed("\"different_rays\"", "\"budget_monotone\""), "at least two cases");
+  EXPECT_COMPLAINT(
+      changed("rounds = 12", "") + "[[expect]]\nmetric = \"cpu_ratio\"\ntruth = \"stage:walk\"\nmax = 1.0\n",
+      "needs timings");
+}
+
+TEST(ReadExpectations, NamesOutsideTheKitAreRefusedWhereTheyAreKnown) {
+  const KnownNames known{{"m1", "clutter"}, {"gl-osmesa"}, {"hiz", "walk"}};
+  EXPECT_EQ(complaint(kGood, known), "read");
+  EXPECT_NE(complaint(changed("\"m1\"", "\"m9\""), known).find("unknown scene 'm9'"), std::string::npos);
+  EXPECT_NE(complaint(changed("rounds", "input = \"gl-osmes\"\nrounds"), known).find("'gl-osmesa'"),
+            std::string::npos);
+  EXPECT_NE(complaint(changed("stage:walk", "stage:wolk"), known).find("unknown stage 'wolk'"),
+            std::string::npos);
+}
+
+TEST(LoadExpectations, FoldersAreReadInOrderAndIdsAreUnique) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ssrkit_expect";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  EXPECT_FALSE(loadExpectations(folder).has_value());
+  std::ofstream(folder / "b.toml") << kGood;
+  std::ofstream(folder / "a.toml") << changed("t.one", "t.two");
+  const auto tests = loadExpectations(folder);
+  ASSERT_TRUE(tests.has_value()) << sentence(tests.error());
+  ASSERT_EQ(tests->size(), 2U);
+  EXPECT_EQ(tests->front().id, "t.two");
+  std::ofstream(folder / "c.toml") << kGood;
+  const auto doubled = loadExpectations(folder);
+  ASSERT_FALSE(doubled.has_value());
+  EXPECT_NE(doubled.error().problem.find("'t.one'"), std::string::npos);
+  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(loadExpectations(folder).has_value());
+}
+
+TEST(LoadExpectations, TheBuiltInFilesAreAllGood) {
+  const std::filesystem::path folder = std::filesystem::path(SSRKIT_SOURCE_DIR) / "tests" / "expect";
+  const KnownNames known{
+      {"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "outdoor", "thin"},
+      {"gl-osmesa", "vk-lavapipe"},
+      {"naive", "refined", "dda", "hiz", "walk"}};
+  const auto tests = loadExpectations(folder, known);
+  ASSERT_TRUE(tests.has_value()) << sentence(tests.error());
+  EXPECT_GE(tests->size(), 16U);
+}
+
+}  // namespace
+}  // namespace ssrkit

@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "check/paired_ratio.h"
+#include "made_answers.h"
+
+namespace ssrkit {
+namespace {
+
+// Rounds of two costs with a shared slowness (what else the machine does) and noise of each its own.
+struct Rounds {
+  std::vector<double> first;
+  std::vector<double> second;
+};
+
+Rounds rounds(unsigned seed, std::size_t count, double true_ratio, double noise) {
+  std::mt19937 random(seed);
+  std::lognormal_distribution<double> shared(0.0, 0.5);
+  std::lognormal_distribution<double> own(0.0, noise);
+  Rounds made;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double slowness = shared(random);
+    made.first.push_back(1e7 * true_ratio * slowness * own(random));
+    made.second.push_back(1e7 * slowness * own(random));
+  }
+  return made;
+}
+
+std::size_t countOutcome(Outcome wanted, double true_ratio, double noise, double max,
+                         std::size_t count = 15) {
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const Rounds made = rounds(seed, count, true_ratio, noise);
+    const auto ratio = pairedRatio(made.first, made.second);
+    found += ratio && judgeRatio(*ratio, std::nullopt, max, 0.05) == wanted ? 1U : 0U;
+  }
+  return found;
+}
+
+TEST(PairedRatio, TheIntervalRunsBetweenTheOrderStatisticsOfTheBinomial) {
+  // For 15 rounds P(at most 2 below the median) = 121/32768 = 0.37 %, at most 3: 1.76 %. So 3 are left out on
+  // each side for 99 %.
+  std::vector<double> numerators;
+  for (int i = 15; i >= 1; --i) {
+    numerators.push_back(i);
+  }
+  const std::vector<double> ones(15, 1.0);
+  const auto ratio = pairedRatio(numerators, ones);
+  ASSERT_TRUE(ratio.has_value());
+  EXPECT_EQ(ratio->median, 8.0);
+  EXPECT_EQ(ratio->low, 3.0);
+  EXPECT_EQ(ratio->high, 13.0);
+}
+
+TEST(PairedRatio, EightRoundsAreTheFewest) {
+  const std::vector<double> ones(8, 1.0);
+  EXPECT_TRUE(pairedRatio(ones, ones).has_value());
+  EXPECT_FALSE(pairedRatio(std::span(ones).first(7), std::span(ones).first(7)).has_value());
+}
+
+TEST(PairedRatio, ARoundWithoutCpuTimeSettlesNothing) {
+  const std::vector<double> ones(9, 1.0);
+  std::vector<double> zero = ones;
+  zero[4] = 0.0;
+  EXPECT_FALSE(pairedRatio(ones, zero).has_value());
+}
+
+TEST(PairedRatio, WhatSlowsBothSidesDownCancels) {
+  const Rounds made = rounds(1, 15, 0.5, 0.0);
+  const auto ratio = pairedRatio(made.first, made.second);
+  ASSERT_TRUE(ratio.has_value());
+  EXPECT_NEAR(ratio->low, 0.5, 1e-12);
+  EXPECT_NEAR(ratio->high, 0.5, 1e-12);
+}
+
+TEST(PairedRatio, IdenticalWorkNeverFailsABoundOfOne) {
+  for (const double noise : {0.001, 0.02, 0.1, 0.5}) {
+    EXPECT_EQ(countOutcome(Outcome::kFail, 1.0, noise, 1.0), 0U) << noise;
+  }
+}
+
+TEST(PairedRatio, ATrueDifferenceIsSeenThroughNoise) {
+  EXPECT_GE(countOutcome(Outcome::kPass, 0.15, 0.05, 0.2), 999U);
+  EXPECT_GE(countOutcome(Outcome::kFail, 0.3, 0.05, 0.2), 999U);
+}
+
+TEST(PairedRatio, NoiseLargerThanTheDistanceIsInconclusive) {
+  EXPECT_GE(countOutcome(Outcome::kInconclusive, 0.2, 0.3, 0.2), 980U);
+}
+
+TEST(JudgeRatio, TheWholeIntervalMustHoldOrBreakTheBound) {
+  EXPECT_EQ(judgeRatio({0.19, 0.18, 0.2, 0.1, 0.3}, std::nullopt, 0.2, 0.05), Outcome::kPass);
+  EXPECT_EQ(judgeRatio({0.19, 0.18, 0.2001, 0.1, 0.3}, std::nullopt, 0.2, 0.05), Outcome::kInconclusive);
+  EXPECT_EQ(judgeRatio({0.25, 0.22, 0.3, 0.2101, 0.4}, std::nullopt, 0.2, 0.05), Outcome::kFail);
+  EXPECT_EQ(judgeRatio({0.25, 0.22, 0.3, 0.2099, 0.4}, std::nullopt, 0.2, 0.05), Outcome::kInconclusive);
+  EXPECT_EQ(judgeRatio({5.0, 4.0, 6.0, 3.0, 7.0}, 4.0, std::nullopt, 0.0), Outcome::kPass);
+  EXPECT_EQ(judgeRatio({3.0, 2.0, 3.8, 1.0, 3.9}, 4.0, std::nullopt, 0.0), Outcome::kFail);
+}
+
+TEST(JudgeRatio, FewerThanFifteenRoundsMayAcquitButNeverAccuse) {
+  const std::vector<double> threes(14, 3.0);
+  const std::vector<double> ones(14, 1.0);
+  const RatioInterval ratio = pairedRatio(threes, ones).value();
+  EXPECT_EQ(judgeRatio(ratio, std::nullopt, 1.0, 0.05), Outcome::kInconclusive);
+  EXPECT_EQ(judgeRatio(ratio, std::nullopt, 3.0, 0.05), Outcome::kPass);
+}
+
+std::vector<TimeSample> samples(std::span<const double> cpu_ns) {
+  std::vector<TimeSample> made;
+  for (const double ns : cpu_ns) {
+    made.push_back({ns, ns});
+  }
+  return made;
+}
+
+TEST(CpuRatio, PassesAreSummedAndHeldAgainstTheOtherStage) {
+  Bench bench;
+  const std::vector<double> ten(15, 10.0);
+  const std::vector<double> hundred(15, 100.0);
+  bench.add("hiz", shiftedRecord({8, 8})).times = {{"trace", samples(ten)}, {"pyramid", samples(ten)}};
+  bench.add("walk", shiftedRecord({8, 8})).times = {{"trace", samples(hundred)},
+                                                    {"pyramid", samples(hundred)}};
+  const std::string stage = "metric = \"cpu_ratio\"\nstages = [\"hiz\"]\ntruth = \"stage:walk\"\n";
+  EXPECT_EQ(outcomeName(bench.check(expectation(stage + "max = 0.1"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(stage + "max = 0.09"))), "fail");
+  const std::string share = "metric = \"pass_cpu_share\"\npasses = [\"pyramid\"]\nover = [\"trace\"]\n";
+  EXPECT_EQ(outcomeName(bench.check(expectation(share + "max = 1.0"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(share + "max = 0.9"))), "fail");
+  bench.answers[1].times.clear();
+  EXPECT_EQ(outcomeName(bench.check(expectation(stage + "max = 0.1"))), "error");
+}
+
+TEST(CpuRatio, TooFewRoundsAreInconclusiveAndUnequalOnesAnError) {
+  Bench bench;
+  const std::vector<double> few(5, 1.0);
+  const std::vector<double> more(9, 1.0);
+  bench.add("hiz", shiftedRecord({8, 8})).times = {{"trace", samples(few)}};
+  bench.add("walk", shiftedRecord({8, 8})).times = {{"trace", samples(few)}};
+  const Expectation ratio = expectation("metric = \"cpu_ratio\"\ntruth = \"stage:walk\"\nmax = 2.0");
+  EXPECT_EQ(outcomeName(bench.check(ratio)), "inconclusive");
+  bench.answers[1].times = {{"trace", samples(more)}};
+  EXPECT_EQ(outcomeName(bench.check(ratio)), "error");
+}
+
+}  // namespace
+}  // namespace ssrkit
