@@ -21,7 +21,7 @@ vec3 position_px_to_view(vec2 p_px, float dist_view, PixelProjection projection)
 }
 
 vec2 position_view_to_px(vec3 p_view, PixelProjection projection) {
-  return projection.px_scale * (p_view.xy / -p_view.z) + projection.px_offset;
+  return projection.px_scale * (vec2(p_view) / -p_view.z) + projection.px_offset;
 }
 
 // The rasteriser's clip position. With GL's clip control at (lower left, zero to one) and Vulkan's positive viewport,
