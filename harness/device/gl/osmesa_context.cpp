@@ -10,6 +10,14 @@
 
 #include "base/check.h"
 
+#ifdef __SANITIZE_ADDRESS__
+// OSMesa keeps a buffer of every context for ever (about 160 bytes each).
+extern "C" const char*
+__lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
+  return "leak:libOSMesa.so\n";
+}
+#endif
+
 namespace ssrkit {
 namespace {
 
