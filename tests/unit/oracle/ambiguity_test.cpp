@@ -2,6 +2,7 @@
 // rays have one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -146,6 +147,36 @@ TEST(OracleAmbiguity, ACornerMattersOnlyWhenTheTexelBesideItCouldBeHit) {
   scene.dist_view.at(119, 120) = 10.0F;
   scene.dist_view.at(120, 119) = 5.0F;
   EXPECT_EQ(flagAt(trace(scene), 110, 110), Ambiguity::kPosition);
+}
+
+TEST(OracleAmbiguity, ATexelThatARayDriftsAwayFromAlongItsEdgeMatters) {
+  // 4000 texels right of the centre and 1 below: a slope of 1/4000, half a texel lower at 6000 texels, in the
+  // middle of texel 12050. Two texels on, the ray is 3.75e-4 below the row that it left, and ten texels
+  // on 2.4e-3.
+  const Size size{12101, 5};
+  AnalyticScene scene =
+      render(formulaCamera(size), {{.normal_view = {0, 0, 1}, .offset = -10.0, .is_mirror = true}});
+  std::fill(scene.mask.data.begin(), scene.mask.data.end(), 0.0F);
+  scene.mask.at(10050, 3) = 1.0F;
+  EXPECT_EQ(flagAt(trace(scene), 10050, 3), Ambiguity::kNone);
+  scene.dist_view.at(12052, 3) = 5.0F;
+  EXPECT_EQ(flagAt(trace(scene), 10050, 3), Ambiguity::kPosition);
+  scene.dist_view.at(12052, 3) = 10.0F;
+  scene.dist_view.at(12060, 3) = 5.0F;
+  EXPECT_EQ(flagAt(trace(scene), 10050, 3), Ambiguity::kNone);
+}
+
+TEST(OracleAmbiguity, AnOriginOnATexelsEdgeMattersOnlyWhenTheTexelBehindItCouldBeHit) {
+  // A bias that brings the origin of pixel 110 from 10 to 12.501 texels right of the centre, 1e-3 inside
+  // texel 113.
+  AnalyticScene scene = flatScene({201, 201});
+  TraceParameters parameters;
+  parameters.origin_bias = 1.0 - 10.0 / 12.5002;
+  EXPECT_EQ(flagAt(trace(scene, parameters), 110, 100), Ambiguity::kNone);
+  scene.dist_view.at(112, 100) = 2.0F;
+  const OracleResult result = trace(scene, parameters);
+  EXPECT_EQ(flagAt(result, 110, 100), Ambiguity::kPosition);
+  EXPECT_EQ(result.record.at(110, 100).ray_class, RayClass::kOffscreen);
 }
 
 TEST(OracleAmbiguity, ARayWhoseRangeEndsAtTheImagesEdgeIsAnEndTie) {

@@ -261,21 +261,21 @@ TEST(OracleContract, APixelNearerThanTheNearPlaneIsOffscreenWithoutALookup) {
 }
 
 TEST(OracleContract, ABiasMovesTheOriginAlongTheNormalByAFractionOfItsDistance) {
-  // Frontal mirror at 5, bias .2: the origin is at dist 4, one texel from the centre it is seen at 1.25; from
-  // there t metres on at 1.25 (8 + ... ): the ray keeps x / (10 - 1 - dist) constant.
+  // Frontal mirror at 5, bias .1: the ray of pixel 110, 10 texels from the centre, starts at dist 4.5. It
+  // moves in x as if it went on behind the mirror: seen at 10 (9.5 - dist) / dist.
   AnalyticScene scene = flatScene({201, 201});
   scene.dist_view.at(140, 100) = 1.5F;
   TraceParameters parameters;
-  parameters.origin_bias = 0.2;
-  const RayHit& hit = trace(scene, parameters).record.at(110, 100);
-  // x = tan 5 + tan (4 - dist), seen at 10 (9 - dist) / dist: texel 140 begins 39.5 away, at dist 90 / 49.5.
-  const double dist = 90.0 / 49.5;
+  parameters.origin_bias = 0.1;
+  const RayHit hit = trace(scene, parameters).record.at(110, 100);
+  // Texel 140 begins 39.5 away, at dist 95 / 49.5.
+  const double dist = 95.0 / 49.5;
   const double tangent = 20.0 / 201.0 / 2.0;
   ASSERT_EQ(hit.ray_class, RayClass::kHit);
   EXPECT_EQ(hit.texel_x, 140);
-  EXPECT_FLOAT_EQ(hit.t_m, static_cast<float>((4.0 - dist) * std::sqrt(1.0 + tangent * tangent)));
-  // The origin is seen at 12.5 texels from the centre, in texel 113: that one is tested too, and 110 never.
-  EXPECT_EQ(hit.lookups, 28U);
+  EXPECT_FLOAT_EQ(hit.t_m, static_cast<float>((4.5 - dist) * std::sqrt(1.0 + tangent * tangent)));
+  // The origin is seen 11.1 texels from the centre, in texel 111: that one is tested too, and 110 never.
+  EXPECT_EQ(hit.lookups, 30U);
 }
 
 TEST(OracleContract, ABiasThatPushesTheOriginOutOfTheImageIsOffscreen) {
