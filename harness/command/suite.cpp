@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <future>
+#include <iterator>
 #include <utility>
 
-#include "check/evaluate.h"
+#include "check/judge.h"
 #include "frame/stages.h"
 #include "scene/defaults.h"
 #include "scene/find_scene.h"
@@ -88,26 +89,6 @@ CheckResult cellFailure(const TestFile& test, const SceneSource& source, const C
     result.message = deathText(*cell.death);
   }
   return result;
-}
-
-bool appliesTo(const Expectation& expectation, const Answer& answer) {
-  const auto allows = [](const auto& list, const auto& value) {
-    return list.empty() || std::ranges::find(list, value) != list.end();
-  };
-  if (!allows(expectation.sizes, answer.size)) {
-    return false;
-  }
-  if (expectation.stages.empty() != answer.stage.empty()) {
-    return false;
-  }
-  if (!allows(expectation.stages, answer.stage)) {
-    return false;
-  }
-  // A metric over cases is one check, made where its first case stands.
-  const bool over_cases = row(expectation.metric).over_cases;
-  return over_cases && !expectation.cases.empty()
-             ? answer.case_name == expectation.cases.front()
-             : answer.stage.empty() || allows(expectation.cases, answer.case_name);
 }
 
 }  // namespace
@@ -347,18 +328,14 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
       }
     }
   }
-  for (const Expectation& expectation : test.expectations) {
-    for (const Answer& answer : run.answers) {
-      const bool is_asked = test.input.empty() || answer.input == test.input;
-      if (is_asked && appliesTo(expectation, answer)) {
-        run.checks.push_back(evaluate(expectation, {.test_id = test.id,
-                                                    .scene = source.name,
-                                                    .self = &answer,
-                                                    .pool = run.answers,
-                                                    .repro = options_.command}));
-      }
-    }
-  }
+  const std::vector<CheckResult> checks =
+      ssrkit::judge(test, source.name, run.answers, [&](const Answer&) { return options_.command; });
+  // A cell that never came back has been reported: what it leaves unanswered is not missing once more.
+  const bool all_came_back =
+      std::ranges::all_of(run.cells, [](const CellRun& cell) { return cell.result && !cell.error; });
+  std::ranges::copy_if(checks, std::back_inserter(run.checks), [&](const CheckResult& check) {
+    return all_came_back || check.outcome != Outcome::kMissing;
+  });
 }
 
 }  // namespace ssrkit

@@ -138,6 +138,7 @@ Expected<std::vector<SampledImage>> bindSamplers(const Program& program, const F
     SampledImage sampled = alias != aliases.end() ? alias->second : SampledImage{};
     if (sampled.image == nullptr) {
       sampled.image = images.find(sampler.name);
+      sampled.mip_count = sampled.image != nullptr ? sampled.image->desc().mip_count : 1;
     }
     if (sampled.image == nullptr) {
       return inputError("bind the shader's images", fmt::format("no image is called '{}'", sampler.name),

@@ -45,6 +45,8 @@ std::string encodeExr(const Image& image, const std::map<std::string, std::strin
                        OIIO::TypeDesc::FLOAT);
   spec.channelnames = image.channels;
   spec.attribute("compression", kExrCompression);
+  // Else OpenImageIO writes the time of day, and the same image gives other bytes each second.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
   for (const auto& [key, value] : metadata) {
     spec.attribute("ssrkit:" + key, value);
   }

@@ -1,0 +1,116 @@
+// Every texel of every level, in both layouts, against the least and greatest of its declared cover set.
+#include "frame/pyramid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "frame/image_transfer.h"
+#include "frame_device.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Depths {
+  float least = kInfinity;
+  float greatest = 0.0F;
+};
+
+// A cell of level m covers the texels (x, y) with x >> m and y >> m equal to it; background has no column.
+Depths coverSet(const Image& dist_view, int cell_x, int cell_y, int level) {
+  Depths depths;
+  for (int y = 0; y < dist_view.size.height; ++y) {
+    for (int x = 0; x < dist_view.size.width; ++x) {
+      const float dist = dist_view.at(x, y);
+      if (x >> level == cell_x && y >> level == cell_y && !std::isinf(dist)) {
+        depths.least = std::min(depths.least, dist);
+        depths.greatest = std::max(depths.greatest, dist);
+      }
+    }
+  }
+  return depths;
+}
+
+Image randomDepths(Size size) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> metres(0.5F, 50.0F);
+  Image dist_view(size, {"Z"});
+  for (float& dist : dist_view.data) {
+    dist = metres(random);
+    dist = dist > 40.0F ? kInfinity : dist;
+  }
+  // The nearest of all stands in the last row and column, where pyramids for even sizes lose it.
+  dist_view.at(size.width - 1, size.height - 1) = 0.25F;
+  return dist_view;
+}
+
+class PyramidTest : public FrameDeviceTest {
+ protected:
+  void check(Size size, int max_mip, PyramidLayout layout) {
+    const Image dist_view = randomDepths(size);
+    Programs programs(*device_, target_);
+    const CompileSettings settings{.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders"};
+    const auto base = programs.get(pyramidBasePass(), settings);
+    const auto reduce = programs.get(pyramidReducePass(), settings);
+    ASSERT_TRUE(base.has_value() && reduce.has_value());
+    FrameImages images(*device_, size);
+    const auto uploaded = images.get("dist_view");
+    ASSERT_TRUE(uploaded.has_value());
+    ASSERT_TRUE(uploadImage(*device_, **uploaded, dist_view, {}).has_value());
+    UniformValues values;
+    values.set("size_px", glm::dvec2(size.width, size.height));
+    const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, images, values);
+    ASSERT_TRUE(time.has_value()) << sentence(time.error());
+    const Size padded = paddedSize(size, max_mip);
+    for (int level = 0; level <= max_mip; ++level) {
+      const bool is_atlas = layout == PyramidLayout::kAtlas;
+      const auto bytes =
+          device_->read(*images.find(is_atlas ? "pyramid_atlas" : "pyramid"), is_atlas ? 0 : level);
+      ASSERT_TRUE(bytes.has_value());
+      const int row_length = is_atlas ? padded.width : padded.width >> level;
+      const int first_row = is_atlas ? 2 * padded.height - (2 * padded.height >> level) : 0;
+      for (int y = 0; y < padded.height >> level; ++y) {
+        for (int x = 0; x < padded.width >> level; ++x) {
+          float stored[2];
+          std::memcpy(stored,
+                      bytes->data() + 8 * (static_cast<std::size_t>(first_row + y) *
+                                               static_cast<std::size_t>(row_length) +
+                                           static_cast<std::size_t>(x)),
+                      sizeof(stored));
+          const Depths expected = coverSet(dist_view, x, y, level);
+          ASSERT_EQ(stored[0], expected.least) << "level " << level << " cell " << x << ", " << y;
+          ASSERT_EQ(stored[1], expected.greatest) << "level " << level << " cell " << x << ", " << y;
+        }
+      }
+    }
+  }
+};
+
+TEST_P(PyramidTest, CoversEveryTexelAtEverySize) {
+  for (const Size size : {Size{1, 1}, {2, 2}, {3, 3}, {5, 7}, {16, 16}, {33, 17}, {127, 63}, {1, 40}}) {
+    for (const PyramidLayout layout : {PyramidLayout::kMips, PyramidLayout::kAtlas}) {
+      SCOPED_TRACE(testing::Message() << size.width << "x" << size.height);
+      check(size, 0, layout);
+      check(size, 3, layout);
+      check(size, 6, layout);
+    }
+  }
+}
+
+TEST_P(PyramidTest, RefusesAnAtlasOverTheLimitWithTheWayOut) {
+  FrameImages images(*device_, {64, 9000});
+  UniformValues values;
+  const auto time = buildPyramid(*device_, {}, PyramidLayout::kAtlas, 3, images, values);
+  ASSERT_FALSE(time.has_value());
+  EXPECT_NE(sentence(time.error()).find("--param form=textbook"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PyramidTest, testing::Values("gl-osmesa", "vk-lavapipe"), deviceTestName);
+
+}  // namespace
+}  // namespace ssrkit
