@@ -79,8 +79,9 @@ std::string failureMessage(const CheckResult& result, const Expectation& expecta
                            Measurement measurement) {
   std::string text = fmt::format("{}: {}\n", name(result.outcome), fullName(result));
   text += fmt::format("  yours     {} = {}\n", result.metric, measuredText(result));
-  text += fmt::format("  expected  {}, against {} ({})\n", boundText(result), truthText(expectation.truth),
-                      expectation.where);
+  const bool by_itself = expectation.truth.kind == TruthKind::kNone;
+  text += fmt::format("  expected  {}{} ({})\n", boundText(result),
+                      by_itself ? "" : ", against " + truthText(expectation.truth), expectation.where);
   if (!measurement.problem.empty()) {
     text += fmt::format("  problem   {}\n", measurement.problem);
   }
