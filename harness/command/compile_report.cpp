@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
-#include <ranges>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -136,7 +136,7 @@ std::string includesText(std::span<const CompileResult> results) {
     return {};
   }
   std::string text = "includes\n";
-  for (const std::filesystem::path& path : compiled->module->dependencies | std::views::drop(1)) {
+  for (const std::filesystem::path& path : std::span(compiled->module->dependencies).subspan(1)) {
     text += wrapped("  " + shownPath(path), 4) + "\n";
   }
   return text;

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 #include <functional>
 
 #include "command/compile.h"
@@ -115,10 +117,14 @@ int commandLine(int argc, char** argv) {
 
 }  // namespace ssrkit
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc == 3 && std::strcmp(argv[1], "__worker") == 0) {
     return ssrkit::workerMain(argv[2], ssrkit::kWorkerSocket);
   }
   ssrkit::endCleanlyOnSignals();
   return ssrkit::commandLine(argc, argv);
+} catch (const std::exception& exception) {
+  // Out of memory, out of threads: what no caller can mend.
+  std::fprintf(stderr, "ssrkit: could not go on: %s\n", exception.what());
+  return 3;
 }

@@ -5,8 +5,8 @@
 namespace ssrkit {
 
 void printCheck(const CheckResult& check) {
-  // The messages of evaluate() start with the check's name and end with the command; those of a job that never
-  // came back have neither.
+  // The messages of evaluate() start with the check's name and end with the command; those of a job that
+  // never came back have neither.
   if (check.message.find(fullName(check)) != std::string::npos) {
     fmt::print("{}\n", check.message);
     return;

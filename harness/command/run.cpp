@@ -64,8 +64,9 @@ Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitP
   return list;
 }
 
-// Leaves out what is not asked of the chosen stages, and what the parameters make untrue of a right tracer: strides and
-// jitter let the DDA pass more than it leaks, and a budget ends the pyramid's tracer later than the walk.
+// Leaves out what is not asked of the chosen stages, and what the parameters make untrue of a right tracer:
+// strides and jitter let the DDA pass more than it leaks, and a budget ends the pyramid's tracer later than
+// the walk.
 void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
   const bool is_dense = parameters.stride_px == 1 && parameters.jitter == 0.0;
   const bool is_unlimited = parameters.lookup_budget == TraceParameters{}.lookup_budget;

@@ -12,8 +12,6 @@
 
 #include "base/atomic_file.h"
 
-extern char** environ;
-
 namespace ssrkit {
 
 namespace {
@@ -36,6 +34,7 @@ std::string regexOf(const std::string& filter) {
 
 Expected<int> runProgram(std::vector<std::string> arguments) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) {
     argv.push_back(argument.data());
   }

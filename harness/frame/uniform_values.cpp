@@ -88,13 +88,13 @@ Expected<std::vector<std::byte>> UniformValues::pack(const UniformBlock& block,
           shader, "declare it as the kit's own shaders do");
     }
     const std::size_t column_bytes = value.rows * sizeof(std::uint32_t);
-    for (std::uint32_t element = 0; element < std::max(value.count, 1U); ++element) {
-      for (std::uint32_t column = 0; column < value.columns; ++column) {
+    for (std::size_t element = 0; element < std::max(value.count, 1U); ++element) {
+      for (std::size_t column = 0; column < value.columns; ++column) {
         const std::size_t offset =
             member.offset_bytes + element * member.array_stride_bytes + column * member.matrix_stride_bytes;
+        const std::size_t first_word = (element * value.columns + column) * value.rows;
         SSRKIT_CHECK_LE(offset + column_bytes, bytes.size());
-        std::memcpy(bytes.data() + offset,
-                    value.words.data() + (element * value.columns + column) * value.rows, column_bytes);
+        std::memcpy(bytes.data() + offset, value.words.data() + first_word, column_bytes);
       }
     }
   }
