@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kEdgePx = 0.01;
 constexpr double kEdgeM = 0.1;
-// A hit this near to the border between two texels is left open; wider than the oracle's 2e-3 px.
+// A hit this near to the border between two texels is left open; wider than the oracle's tolerance of a tie.
 constexpr double kBorderPx = 4e-3;
 
 }  // namespace

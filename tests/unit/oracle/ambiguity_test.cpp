@@ -136,6 +136,16 @@ TEST(OracleAmbiguity, AColumnMetWithin2e5RelativeIsADepthTie) {
   EXPECT_EQ(flagAt(trace(scene, parameters), 110, 100), Ambiguity::kNone);
 }
 
+TEST(OracleAmbiguity, AColumnThatALateralRayMissesByTwoFloatsIsADepthTie) {
+  // The principal ray of m4 keeps dist_view 4: no step along it, however small, brings it nearer to a column.
+  AnalyticScene scene = sceneM4({201, 201});
+  ASSERT_EQ(flagAt(trace(scene), 100, 100), Ambiguity::kNone);
+  scene.dist_view.at(120, 100) = 4.000001F;
+  EXPECT_EQ(flagAt(trace(scene), 100, 100), Ambiguity::kDepth);
+  scene.dist_view.at(120, 100) = 4.001F;
+  EXPECT_EQ(flagAt(trace(scene), 100, 100), Ambiguity::kNone);
+}
+
 TEST(OracleAmbiguity, ACornerMattersOnlyWhenTheTexelBesideItCouldBeHit) {
   // The diagonal ray of pixel (110, 110) passes through every corner of the diagonal.
   const Size size{201, 201};
@@ -188,8 +198,31 @@ TEST(OracleAmbiguity, ARayWhoseRangeEndsAtTheImagesEdgeIsAnEndTie) {
   TraceParameters parameters;
   parameters.max_distance_m = (10.0 - 100.0 / 25.5) * std::sqrt(1.0 + tangent * tangent);
   EXPECT_EQ(flagAt(trace(scene, parameters), 25, 20), Ambiguity::kEnd);
+  AnalyticScene blocked = scene;
+  blocked.dist_view.at(30, 20) = 5.0F;
+  EXPECT_EQ(flagAt(trace(blocked, parameters), 25, 20), Ambiguity::kNone) << "it hits before either end";
   parameters.max_distance_m -= 0.01;
   EXPECT_EQ(flagAt(trace(scene, parameters), 25, 20), Ambiguity::kNone);
+}
+
+TEST(OracleAmbiguity, ARayWhoseRangeEndsJustBeforeATexelThatItWouldHitIsAnEndTie) {
+  // 10 texels from the centre, seen at 10 (20 - dist) / dist: texel 119 begins 18.5 texels from the centre.
+  const auto max_distance = [](double end_px) {
+    const double tangent = 20.0 / 201.0 / 2.0;
+    return (10.0 - 200.0 / (end_px + 10.0)) * std::sqrt(1.0 + tangent * tangent);
+  };
+  const Size size{201, 201};
+  AnalyticScene scene =
+      render(formulaCamera(size), {{.normal_view = {0, 0, 1}, .offset = -10.0, .is_mirror = true}});
+  TraceParameters parameters;
+  parameters.max_distance_m = max_distance(18.4999);
+  EXPECT_EQ(flagAt(trace(scene, parameters), 110, 100), Ambiguity::kNone);
+  scene.dist_view.at(119, 100) = 5.0F;
+  const OracleResult result = trace(scene, parameters);
+  EXPECT_EQ(result.record.at(110, 100).ray_class, RayClass::kRange);
+  EXPECT_EQ(flagAt(result, 110, 100), Ambiguity::kEnd);
+  parameters.max_distance_m = max_distance(18.49);
+  EXPECT_EQ(flagAt(trace(scene, parameters), 110, 100), Ambiguity::kNone);
 }
 
 TEST(OracleAmbiguity, AnEdgeOnNormalIsAnEndTie) {

@@ -260,6 +260,15 @@ TEST(OracleContract, APixelNearerThanTheNearPlaneIsOffscreenWithoutALookup) {
   }
 }
 
+TEST(OracleContract, ThatHoldsForARayThatMovesAwayFromTheCameraToo) {
+  AnalyticScene scene = sceneM1({32, 64});
+  ASSERT_EQ(trace(scene).record.at(20, 60).ray_class, RayClass::kHit);
+  scene.dist_view.at(20, 60) = 0.05F;
+  const OracleResult result = trace(scene);
+  EXPECT_EQ(result.record.at(20, 60).ray_class, RayClass::kOffscreen);
+  EXPECT_EQ(result.record.at(20, 60).lookups, 0U);
+}
+
 TEST(OracleContract, ABiasMovesTheOriginAlongTheNormalByAFractionOfItsDistance) {
   // Frontal mirror at 5, bias .1: the ray of pixel 110, 10 texels from the centre, starts at dist 4.5. It
   // moves in x as if it went on behind the mirror: seen at 10 (9.5 - dist) / dist.
@@ -408,6 +417,14 @@ TEST(OracleCells, InM1TheDistanceAtEveryCellsEdgesIsTheFormulas) {
     EXPECT_NEAR(cell.dist_in, 4.0 / (start - lower_edge), 1e-6);
     EXPECT_NEAR(cell.dist_out, 4.0 / (start - upper_edge), 1e-6);
   }
+}
+
+TEST(OracleCells, ABudgetCutsTheCellsWhereItCutsTheRay) {
+  TraceParameters parameters;
+  parameters.lookup_budget = 5;
+  const AnalyticScene scene = sceneM1({64, 64});
+  EXPECT_EQ(cellsOf(scene.input(), 9, 56).size(), 33U);
+  EXPECT_EQ(cellsOf(scene.input(parameters), 9, 56).size(), 5U);
 }
 
 TEST(OracleCells, PixelsWithoutARayHaveNoCells) {
