@@ -27,7 +27,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
   return word;
 }
 
-Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view bytes) {
+Expected<void> checkGlbHeader(const GltfSource& source, std::string_view bytes) {
   if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
     return source.refuse("",
                          fmt::format("the file ends after {} bytes, inside the GLB header", bytes.size()));
@@ -40,6 +40,13 @@ Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view 
     return source.refuse("",
                          fmt::format("the file has {} bytes and its header says {}", bytes.size(), declared),
                          "it was cut short; copy it again");
+  }
+  return {};
+}
+
+Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view bytes) {
+  if (auto header = checkGlbHeader(source, bytes); !header) {
+    return tl::make_unexpected(header.error());
   }
   bytes = bytes.substr(0, wordAt(bytes, 8));
   GltfContainer container;
