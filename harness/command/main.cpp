@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <functional>
 
+#include "base/text.h"
 #include "command/compile.h"
 #include "command/devices.h"
 #include "command/interrupt.h"
@@ -41,7 +43,8 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
   run->add_option("--mirror", options.mirror,
                   "The material to trace rays from (default: the scene's own mirrors)");
   run->add_option("--gbuffer", options.gbuffer,
-                  "Trace the G-buffer in this folder (EXR images and camera.json)");
+                  "Trace the G-buffer in this folder (EXR images and camera.json)")
+      ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; });
   run->add_option("--replace", options.replacements, "PASS=FILE: put a shader of your own in a pass's place");
   run->add_flag("--json", options.json, "Print results.json instead of the table");
   run->callback([&] { command = [&] { return runCommand(options); }; });
@@ -80,6 +83,41 @@ void addDevices(CLI::App& app, bool& json, Command& command) {
   devices->callback([&] { command = [&] { return devicesCommand(json); }; });
 }
 
+Error unknownWord(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = nearestName(word, known);
+  return inputError("read the command line", fmt::format("there is no {} '{}'", kind, word), "",
+                    nearest ? fmt::format("did you mean '{}'?", *nearest)
+                            : fmt::format("the {}s are {}", kind, joinNames(known)))
+      .value();
+}
+
+// CLI11 tells of a word that it does not know, but not of the nearest one that it does.
+Error misread(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
+  const auto any = [](const auto*) { return true; };
+  if (app.get_subcommands().empty() && words.size() > 1 && !words[1].starts_with('-')) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands(any)) {
+      commands.push_back(command->get_name());
+    }
+    return unknownWord("command", words[1], commands);
+  }
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command->get_options(any)) {
+      if (!option->get_lnames().empty()) {
+        options.push_back("--" + option->get_lnames().front());
+      }
+    }
+    for (const std::string& word : words) {
+      const std::string name = word.substr(0, word.find('='));
+      if (name.starts_with("--") && std::ranges::find(options, name) == options.end()) {
+        return unknownWord("option", name, options);
+      }
+    }
+  }
+  return inputError("read the command line", error.what(), "", "see ./ssrkit --help").value();
+}
+
 int commandLine(int argc, char** argv) {
   CLI::App app("Test and teaching kit for screen-space reflections", "ssrkit");
   app.set_version_flag("--version", SSRKIT_VERSION);
@@ -102,7 +140,7 @@ int commandLine(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "ssrkit: could not read the command line: {}; see ./ssrkit --help\n", error.what());
+    fmt::print(stderr, "ssrkit: {}\n", sentence(misread(app, command_line, error)));
     return 2;
   }
   const Expected<int> code = command();

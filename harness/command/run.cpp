@@ -14,9 +14,11 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/text.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
+#include "command/parameters_file.h"
 #include "command/print_checks.h"
 #include "command/progress_line.h"
 #include "command/run_files.h"
@@ -40,12 +42,16 @@ Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitP
     if (!files) {
       return tl::make_unexpected(files.error());
     }
+    const auto parameters = parametersBesideCamera(options.gbuffer);
+    if (!parameters) {
+      return tl::make_unexpected(parameters.error());
+    }
     const std::string name = files->name;
     list.push_back({.name = name,
                     .file = {},
                     .gbuffer = std::make_shared<GbufferFiles>(std::move(*files)),
                     .camera_name = "",
-                    .defaults = {}});
+                    .defaults = *parameters});
     return list;
   }
   std::set<std::string> names;
@@ -81,6 +87,16 @@ void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
   });
 }
 
+std::vector<std::string> withoutRepeats(const std::vector<std::string>& words) {
+  std::vector<std::string> kept;
+  for (const std::string& word : words) {
+    if (std::ranges::find(kept, word) == kept.end()) {
+      kept.push_back(word);
+    }
+  }
+  return kept;
+}
+
 // The built-in checks for any scene, with the stages and parameters that were asked for.
 Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths) {
   auto files = loadExpectations(paths.expectations / "standard.toml");
@@ -88,15 +104,13 @@ Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths
     return tl::make_unexpected(files.error());
   }
   TestFile test = std::move(files->front());
-  test.stages.clear();
-  for (const std::string& stage : options.stages) {
+  test.stages = withoutRepeats(options.stages);
+  for (const std::string& stage : test.stages) {
     if (const auto found = findStage(stage); !found) {
       return tl::make_unexpected(found.error());
     }
-    if (std::ranges::find(test.stages, stage) == test.stages.end()) {
-      test.stages.push_back(stage);
-    }
   }
+  test.rounds = kTimedRounds;
   test.cases = {TestCase{}};
   TraceParameters scratch;
   for (const std::string& assignment : options.parameters) {
@@ -111,7 +125,6 @@ Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths
     }
     test.cases.front().parameters.emplace_back(name, value);
   }
-  keepWhatIsAsked(test, scratch);
   return test;
 }
 
@@ -146,9 +159,10 @@ std::string utcNow() {
                      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
+// But for errors, which are told once on standard error.
 void printFailures(const std::vector<CheckResult>& checks) {
   for (const CheckResult& check : checks) {
-    if (isFailure(check.outcome)) {
+    if (isFailure(check.outcome) && check.outcome != Outcome::kError) {
       fmt::print("\n");
       printCheck(check);
     }
@@ -208,10 +222,15 @@ Expected<int> runCommand(const RunOptions& options) {
   if (!folder) {
     return tl::make_unexpected(folder.error());
   }
+  for (SceneSource& source : *scenes) {
+    for (const auto& [name, value] : test->cases.front().parameters) {
+      SSRKIT_CHECK(setParameter(source.defaults, name, value, "--param").has_value());
+    }
+  }
   ProgressLine progress;
   auto suite = Suite::create({.shader_root = paths.shaders,
                               .scenes_root = paths.scenes,
-                              .devices = options.devices,
+                              .devices = withoutRepeats(options.devices),
                               .size = *size,
                               .mirror_material = options.mirror,
                               .replacements = *replaced,
@@ -232,17 +251,21 @@ Expected<int> runCommand(const RunOptions& options) {
     report.devices.push_back({info.identity, info.traits});
   }
   std::optional<Error> first_error;
+  std::set<std::string> errors;
   std::future<Expected<void>> writing;
   const auto finishWriting = [&]() -> Expected<void> {
     return writing.valid() ? writing.get() : Expected<void>{};
   };
   std::set<std::string> notes;
   for (const SceneSource& source : *scenes) {
-    auto run = std::make_shared<SceneRun>((*suite)->run(*test, source));
+    TestFile asked = *test;
+    keepWhatIsAsked(asked, source.defaults);
+    auto run = std::make_shared<SceneRun>((*suite)->run(asked, source));
     std::vector<RunRow> rows = runRows(*run);
     for (const CellRun& cell : run->cells) {
-      if (cell.error && !first_error) {
-        first_error = cell.error;
+      if (cell.error) {
+        first_error = first_error.value_or(*cell.error);
+        errors.insert(sentence(*cell.error));
       }
       if (cell.result) {
         report.frames.push_back({source.name, cell.device, cell.size, cell.result->frame_passes});
@@ -272,6 +295,10 @@ Expected<int> runCommand(const RunOptions& options) {
     fmt::print(stderr, "note: {}\n", note);
   }
   print(report, options);
+  std::fflush(stdout);
+  for (const std::string& error : errors) {
+    fmt::print(stderr, "ssrkit: {}\n", error);
+  }
   return exitCodeOf(report, first_error);
 }
 

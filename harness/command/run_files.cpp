@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "command/parameters_file.h"
 #include "image/colour_map.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -198,6 +199,8 @@ Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneR
       writes.push_back([&cell, scene_folder] {
         return writeFileAtomically(scene_folder / "camera.json", toJson(cell.result->camera));
       });
+      writes.push_back(
+          [&run, scene_folder] { return writeParametersFile(scene_folder, run.source->defaults); });
       // The oracle's answer over the first device's G-buffer.
       if (!cell.truths.empty()) {
         writes.push_back([&cell, scene_folder] {

@@ -57,7 +57,9 @@ std::vector<TimeSample> samplesOf(const PassReport& report) {
 std::string deathText(const WorkerDeath& death) {
   std::string text = death.kind == WorkerDeath::Kind::kTimeout
                          ? fmt::format("the worker was stopped by its time limit (signal {})", death.signal)
-                         : fmt::format("the worker died of signal {}", death.signal);
+                     : death.signal != 0
+                         ? fmt::format("the worker died of signal {}", death.signal)
+                         : std::string("the worker ended by itself");
   text +=
       fmt::format(" while it was at: {}", death.last_progress.empty() ? "its start" : death.last_progress);
   if (!death.stderr_tail.empty()) {
