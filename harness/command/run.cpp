@@ -32,6 +32,9 @@ namespace ssrkit {
 
 namespace {
 
+// Each pass is drawn this often after its first, cold time; the table shows the median.
+constexpr int kTimedRounds = 2;
+
 Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitPaths& paths) {
   std::vector<SceneSource> list;
   if (!options.gbuffer.empty()) {
