@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -20,6 +21,31 @@ constexpr std::size_t kMaxFileBytes = std::size_t{1} << 28;
 
 tl::unexpected<Error> readError(const fs::path& path, std::string problem) {
   return inputError(fmt::format("read '{}'", path.string()), std::move(problem), {}, "write it again as PNG");
+}
+
+// Whether the chunks follow each other up to IEND. OpenImageIO 2.4 leaks and libpng writes to stderr where a
+// file ends in the middle of one.
+bool isWholePng(std::string_view file) {
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  constexpr std::size_t kChunkFrame = 12;  // length, type and checksum
+  if (!file.starts_with(kSignature)) {
+    return false;
+  }
+  file.remove_prefix(kSignature.size());
+  while (file.size() >= kChunkFrame) {
+    std::size_t length = 0;
+    for (const char byte : file.substr(0, 4)) {
+      length = length * 256 + static_cast<unsigned char>(byte);
+    }
+    if (length > file.size() - kChunkFrame) {
+      return false;
+    }
+    if (file.substr(4, 4) == "IEND") {
+      return true;
+    }
+    file.remove_prefix(kChunkFrame + length);
+  }
+  return false;
 }
 
 // Grey (1) and grey with alpha (2) channels become RGB and RGBA.
@@ -59,6 +85,9 @@ Expected<ByteImage> readPng(const fs::path& path) {
   const Expected<std::string> file = readFile(path, kMaxFileBytes);
   if (!file) {
     return tl::make_unexpected(file.error());
+  }
+  if (!isWholePng(*file)) {
+    return readError(path, "it is not a PNG file, or it is cut short");
   }
   const auto codec = imageCodec();
   if (!codec) {
