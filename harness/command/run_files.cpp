@@ -79,7 +79,9 @@ std::string thicknessText(const TraceParameters& parameters) {
 
 Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell, const std::string& scene,
                           const std::vector<RunRow>& rows) {
-  auto painter = TextPainter::load();
+  // Its glyphs are made once, a tenth of a second, and it serves one sheet at a time.
+  static std::mutex painter_mutex;
+  static Expected<TextPainter> painter = TextPainter::load();
   if (!painter) {
     return tl::make_unexpected(painter.error());
   }
@@ -113,6 +115,7 @@ Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell
     }
     sheet.stages.push_back(stage);
   }
+  const std::lock_guard lock(painter_mutex);
   return writeContactSheet(file, sheet, *painter);
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <string_view>
 
 #include "check/outcome.h"
 #include "check/read_expectations.h"
@@ -41,6 +43,13 @@ Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, con
   return files;
 }
 
+// Costs and convergence say something even where they hold: their figures are shown.
+bool isMeasurement(const CheckResult& check) {
+  constexpr std::string_view kMetrics[] = {"convergence", "cpu_ratio", "lookup_ratio", "lookups_added",
+                                           "pass_cpu_share"};
+  return !check.message.empty() && std::ranges::find(kMetrics, check.metric) != std::end(kMetrics);
+}
+
 // One line a test and scene; the whole message of what failed.
 void printScene(const TestFile& test, const SceneRun& run, std::chrono::duration<double> time) {
   const auto failed = static_cast<std::size_t>(
@@ -50,6 +59,8 @@ void printScene(const TestFile& test, const SceneRun& run, std::chrono::duration
   for (const CheckResult& check : run.checks) {
     if (isFailure(check.outcome) || check.outcome == Outcome::kInconclusive) {
       printCheck(check);
+    } else if (isMeasurement(check)) {
+      fmt::print("      {:<34}{:<13}{}\n", check.id, check.device, check.message);
     }
   }
   std::fflush(stdout);

@@ -1,4 +1,4 @@
-"""m1 to m4: scenes of a few planes whose reflections have closed forms (docs/closed-forms.md).
+"""m1 to m4: scenes of a few planes whose reflections have closed forms (docs/spaces.md).
 
 All have the camera in the origin, unpitched, looking along -z, with f = 1 / tan(fov_y / 2) = 2, and a floor one metre
 below it: h = 1. Every coordinate that a closed form uses is exact in 32 bits."""
