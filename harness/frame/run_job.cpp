@@ -42,6 +42,29 @@ Scene defaultLight() {
   return scene;
 }
 
+// The pass that a job draws for a request's trace.
+std::string tracePass(const TraceRequest& request) {
+  const auto stage = findStage(request.stage);
+  return stage ? traceStep(shaderOf(**stage, request.parameters)).row.name : "";
+}
+
+// A shader that takes no pass's place would leave its author with the kit's own results.
+Expected<void> checkIsDrawn(const std::string& pass, const Job& job) {
+  std::vector<std::string> drawn;
+  for (const TraceRequest& request : job.traces) {
+    drawn.push_back(tracePass(request));
+    if (pass == request.stage || pass == drawn.back()) {
+      return {};
+    }
+  }
+  const bool is_trace = findStage(pass).has_value() || pass.starts_with("trace_");
+  if (!is_trace) {
+    return {};
+  }
+  return inputError(fmt::format("replace the pass '{}'", pass), "this run does not draw it", "",
+                    "its trace passes are " + joinNames(drawn));
+}
+
 // What --replace may name: every pass, and a stage's name for its trace shaders.
 Expected<CompileSettings> compileSettings(const Job& job) {
   CompileSettings settings{
@@ -59,6 +82,9 @@ Expected<CompileSettings> compileSettings(const Job& job) {
       return inputError(
           fmt::format("replace the pass '{}'", replacement.pass), "there is no such pass", "",
           nearest ? fmt::format("did you mean '{}'?", *nearest) : "the passes are " + joinNames(names));
+    }
+    if (const auto is_drawn = checkIsDrawn(replacement.pass, job); !is_drawn) {
+      return tl::make_unexpected(is_drawn.error());
     }
     const std::filesystem::path file = std::filesystem::absolute(replacement.file);
     settings.replacements[replacement.pass] = file;

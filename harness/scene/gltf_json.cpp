@@ -65,7 +65,11 @@ std::string reasonOf(const nlohmann::json::exception& exception) {
   const std::size_t first = syntax != std::string_view::npos    ? syntax
                             : bracket == std::string_view::npos ? 0
                                                                 : bracket + 2;
-  return cleanName(message.substr(first));
+  std::string reason = cleanName(message.substr(first));
+  // It quotes the file, which may hold bytes that are no text.
+  std::ranges::replace_if(
+      reason, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
+  return reason;
 }
 
 }  // namespace

@@ -63,6 +63,10 @@ Expected<void> validate(const Camera& camera, const std::string& attempted) {
   if (camera.clip_from_view[0][0] == 0.0 || camera.clip_from_view[1][1] == 0.0) {
     return inputError(attempted, "clip_from_view is singular");
   }
+  if (glm::determinant(glm::dmat3(camera.view_from_world)) == 0.0) {
+    return inputError(attempted, "view_from_world is singular", "",
+                      "its upper left 3x3 part must be a rotation");
+  }
   if (!(camera.near_m > 0.0) || !std::isfinite(camera.near_m) || !(camera.far_m > camera.near_m)) {
     return inputError(attempted, fmt::format("near_m = {} and far_m = {} must satisfy 0 < near_m < far_m",
                                              camera.near_m, camera.far_m));

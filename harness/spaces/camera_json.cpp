@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace ssrkit {
@@ -56,6 +57,13 @@ std::string readNumber(const ordered_json& json, const char* key, double& number
   return {};
 }
 
+// The parser's messages quote the text, which may be no text at all.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
+  return text;
+}
+
 std::string readSize(const ordered_json& json, Size& size) {
   const auto value = json.find("size");
   if (value == json.end() || !value->is_array() || value->size() != 2 || !(*value)[0].is_number_integer() ||
@@ -94,10 +102,11 @@ Expected<Camera> cameraFromJson(std::string_view text, const std::string& where)
   ordered_json json;
   try {
     json = ordered_json::parse(text);
-  } catch (const ordered_json::parse_error& error) {
-    return inputError(attempted, error.what(), where);
+  } catch (const ordered_json::exception& error) {
+    return inputError(attempted, printable(error.what()), where, "write it as JSON, see docs/formats.md");
   }
-  if (!json.is_object() || json.value("schema", "") != kSchema) {
+  const auto schema = json.is_object() ? json.find("schema") : json.end();
+  if (schema == json.end() || *schema != kSchema) {
     return inputError(attempted, fmt::format("the file does not say \"schema\": \"{}\"", kSchema), where,
                       "see docs/formats.md");
   }

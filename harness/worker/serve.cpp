@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -150,10 +151,13 @@ int serve(const std::string& device_id, int fd, const WorkerRole& role) {
   }
   ::fcntl(fd, F_SETFD, FD_CLOEXEC);
   forbidCoreFiles();
+  std::signal(SIGXFSZ, SIG_IGN);  // shared memory beyond the limit on files is an error to tell
   endWithSupervisor(fd);
   const Expected<Fault> fault = Fault::fromEnvironment();
   Server server(device_id, fd, role, fault.value_or(Fault()));
   if (!fault) {
+    // A socket that is closed with a message unread in it takes the reply with it.
+    static_cast<void>(receiveMessage(fd, true));
     return server.replyError(fault.error()) ? kUsage : kBroken;
   }
   return server.loop();

@@ -126,7 +126,7 @@ Expected<void> Worker::Impl::greet() {
 
 tl::unexpected<Error> Worker::Impl::startFailure(const WorkerDeath& death) const {
   auto failure = setupError("start the device '" + device_id + "'", describe(death), {},
-                            "run 'ssrkit doctor' to see what its driver needs");
+                            "see that its driver's package is installed");
   failure.value().reasons = lastLines(death.stderr_tail);
   return failure;
 }
