@@ -221,9 +221,8 @@ Expected<int> runCommand(const RunOptions& options) {
   auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
   auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());
   auto scenes = replaced ? sources(options, paths) : tl::make_unexpected(replaced.error());
-  const auto folder = scenes ? prepareFolder(options.out) : tl::make_unexpected(scenes.error());
-  if (!folder) {
-    return tl::make_unexpected(folder.error());
+  if (!scenes) {
+    return tl::make_unexpected(scenes.error());
   }
   for (SceneSource& source : *scenes) {
     for (const auto& [name, value] : test->cases.front().parameters) {
@@ -244,6 +243,9 @@ Expected<int> runCommand(const RunOptions& options) {
                               .progress = [&](const std::string& text) { progress.show(text); }});
   if (!suite) {
     return tl::make_unexpected(suite.error());
+  }
+  if (const auto folder = prepareFolder(options.out); !folder) {
+    return tl::make_unexpected(folder.error());
   }
   RunReport report{.kit_version = SSRKIT_VERSION, .started = utcNow(), .command = options.command};
   const auto infos = (*suite)->devices();
