@@ -143,6 +143,17 @@ Expected<std::vector<ShaderReplacement>> replacements(const RunOptions& options)
   return list;
 }
 
+// Many ties are a property of a scene at a size (an unpitched mirror floor at a height of 4k + 2 rows has
+// little else), not of a tracer: a run of anybody's scene is warned of them, the built-in tests are held to
+// them.
+void warnOfTies(std::vector<CheckResult>& checks) {
+  for (CheckResult& check : checks) {
+    if (check.metric == "ambiguous_share" && check.outcome == Outcome::kFail) {
+      check.outcome = Outcome::kWarn;
+    }
+  }
+}
+
 // Fails before any work is done when nothing could be written afterwards.
 Expected<void> prepareFolder(const std::filesystem::path& folder) {
   const std::string attempted = "write to the output folder";
@@ -266,6 +277,7 @@ Expected<int> runCommand(const RunOptions& options) {
     TestFile asked = *test;
     keepWhatIsAsked(asked, source.defaults);
     auto run = std::make_shared<SceneRun>((*suite)->run(asked, source));
+    warnOfTies(run->checks);
     std::vector<RunRow> rows = runRows(*run);
     for (const CellRun& cell : run->cells) {
       if (cell.error) {
