@@ -4,7 +4,8 @@
 
 namespace ssrkit {
 
-// A check that did not pass, with everything that its reader needs: what, where, why, and how to run it again.
+// A check that did not pass, with everything that its reader needs: what, where, why, and how to run it
+// again.
 void printCheck(const CheckResult& check);
 
 }  // namespace ssrkit

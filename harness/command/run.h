@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/size.h"
 
 namespace ssrkit {
 
@@ -28,8 +27,5 @@ struct RunOptions {
 
 // The exit code of design section 6, after printing; errors that stop the run before it starts are returned.
 [[nodiscard]] Expected<int> runCommand(const RunOptions& options);
-
-// "640x360": two whole numbers from 1 to 16384.
-[[nodiscard]] Expected<Size> parseSize(const std::string& text);
 
 }  // namespace ssrkit

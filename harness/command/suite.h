@@ -14,9 +14,9 @@
 #include "check/check_result.h"
 #include "check/expectation.h"
 #include "check/subject.h"
+#include "command/cell_run.h"
 #include "frame/gbuffer_files.h"
 #include "frame/job.h"
-#include "oracle/oracle.h"
 #include "worker/supervisor.h"
 
 namespace ssrkit {
@@ -28,25 +28,6 @@ struct SceneSource {
   std::shared_ptr<const GbufferFiles> gbuffer;
   std::string camera_name;
   TraceParameters defaults;
-};
-
-// One device's answer to one job, with the oracle's.
-struct CellRun {
-  std::string device;
-  Size size;
-  std::string input;  // the device whose G-buffer was uploaded, "" its own
-  std::optional<JobResult> result;
-  std::optional<Error> error;
-  std::optional<WorkerDeath> death;
-  Image mask;  // 1 channel, from the material
-  // Oracle A by the parameters that it depends on; stable addresses.
-  struct Truth {
-    OracleInput input;
-    OracleResult result;
-  };
-  std::deque<Truth> truths;
-  std::vector<const Truth*> truth_of_trace;  // one a trace, null where no oracle was asked for
-  std::vector<std::string> case_of_trace;
 };
 
 // All runs of one test over one scene.
@@ -94,8 +75,7 @@ class Suite {
   [[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, Size size) const;
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
                SceneRun& run);
-  void addTruths(const TestFile& test, CellRun& cell) const;
-  void addAnswers(const CellRun& cell, SceneRun& run) const;
+  void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);
   void judge(const TestFile& test, const SceneSource& source, SceneRun& run) const;
 
   SuiteOptions options_;

@@ -17,9 +17,10 @@ struct GbufferFiles {
   std::map<std::string, Image> images;  // dist_view and normal_view at least
 };
 
-// Reads DIR/camera.json (or the one in the folder above, where `run` puts it) and the images in DIR or DIR/gbuffer,
-// with lit.exr in DIR where there is one. Fails on what is missing or of another size than the camera's, and on a
-// depth that is NaN, zero or negative, or a normal of no length, at a texel that is not background.
+// Reads DIR/camera.json (or the one in the folder above, where `run` puts it) and the images in DIR or
+// DIR/gbuffer, with lit.exr in DIR where there is one. Fails on what is missing or of another size than the
+// camera's, and on a depth that is NaN, zero or negative, or a normal of no length, at a texel that is not
+// background.
 [[nodiscard]] Expected<GbufferFiles> readGbuffer(const std::filesystem::path& folder);
 
 }  // namespace ssrkit

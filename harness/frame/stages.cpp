@@ -72,7 +72,8 @@ TraceParameters withStageDefaults(const TraceParameters& parameters, const Stage
     filled.bisection_count = stage.default_bisections;
   }
   const auto longer_side = static_cast<unsigned>(std::max(size.width, size.height));
-  const int single_cell_mip = static_cast<int>(std::bit_width(longer_side - 1));  // there one cell covers the image
+  const int single_cell_mip =
+      static_cast<int>(std::bit_width(longer_side - 1));  // there one cell covers the image
   filled.max_mip = std::min(filled.max_mip < 0 ? stage.default_max_mip : filled.max_mip, single_cell_mip);
   return filled;
 }

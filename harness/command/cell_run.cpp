@@ -1,0 +1,170 @@
+#include "command/cell_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace ssrkit {
+
+namespace {
+
+// Loops are cut by Mesa at 65,535 iterations without a word; a ray that comes near has met the limiter.
+constexpr std::uint32_t kLimiterSteps = 65000;
+
+// The oracle looks at these alone: cases that differ in other parameters share its answer.
+bool sameForOracle(const TraceParameters& a, const TraceParameters& b) {
+  return a.thickness_m == b.thickness_m && a.thickness_rel == b.thickness_rel &&
+         a.max_distance_m == b.max_distance_m && a.origin_bias == b.origin_bias &&
+         a.lookup_budget == b.lookup_budget;
+}
+
+std::vector<TimeSample> samplesOf(const PassReport& report) {
+  std::vector<TimeSample> samples;
+  for (const PassTime& time : report.steady) {
+    samples.push_back(
+        {.cpu_ns = static_cast<double>(time.cpu_ns), .wall_ns = static_cast<double>(time.wall_ns)});
+  }
+  return samples;
+}
+
+std::string deathText(const WorkerDeath& death) {
+  std::string text = death.kind == WorkerDeath::Kind::kTimeout
+                         ? fmt::format("the worker was stopped by its time limit (signal {})", death.signal)
+                     : death.signal != 0 ? fmt::format("the worker died of signal {}", death.signal)
+                                         : std::string("the worker ended by itself");
+  text +=
+      fmt::format(" while it was at: {}", death.last_progress.empty() ? "its start" : death.last_progress);
+  if (!death.stderr_tail.empty()) {
+    text += "\n" + death.stderr_tail;
+  }
+  return text;
+}
+
+}  // namespace
+
+Image maskOf(const JobResult& result) {
+  const auto material = result.images.find("material");
+  Image mask;
+  if (material == result.images.end()) {
+    return mask;
+  }
+  mask = Image(material->second.size, {"mask"});
+  for (std::size_t texel = 0; texel < mask.texelCount(); ++texel) {
+    mask.data[texel] = material->second.data[texel * material->second.channelCount() + 2];
+  }
+  return mask;
+}
+
+void addTruths(CellRun& cell) {
+  if (!cell.result) {
+    return;
+  }
+  const auto dist_view = cell.result->images.find("dist_view");
+  const auto normal_view = cell.result->images.find("normal_view");
+  if (dist_view == cell.result->images.end() || normal_view == cell.result->images.end()) {
+    return;
+  }
+  for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
+    const TraceParameters& parameters = cell.result->traces[i].parameters;
+    auto truth = std::ranges::find_if(cell.truths, [&](const CellRun::Truth& known) {
+      return sameForOracle(known.input.parameters, parameters);
+    });
+    if (truth == cell.truths.end()) {
+      const OracleInput input{.camera = &cell.result->camera,
+                              .dist_view = &dist_view->second,
+                              .normal_view = &normal_view->second,
+                              .mask = &cell.mask,
+                              .parameters = parameters};
+      auto result = traceOracle(input);
+      if (!result) {
+        cell.error = result.error();
+        return;
+      }
+      cell.truths.push_back({input, std::move(*result)});
+      truth = std::prev(cell.truths.end());
+    }
+    cell.truth_of_trace[i] = &*truth;
+  }
+}
+
+void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
+  if (!cell.result || cell.error) {
+    return;
+  }
+  Answer frame{};
+  frame.device = cell.device;
+  frame.size = cell.size;
+  frame.input = cell.input;
+  for (const auto& [name, image] : cell.result->images) {
+    frame.images.emplace(name, &image);
+  }
+  answers.push_back(frame);
+  for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
+    const TraceResult& trace = cell.result->traces[i];
+    Answer answer = frame;
+    answer.stage = trace.stage;
+    answer.case_name = cell.case_of_trace[i];
+    answer.parameters = trace.parameters;
+    answer.record = &trace.record;
+    if (const CellRun::Truth* truth = cell.truth_of_trace[i]) {
+      answer.oracle_input = &truth->input;
+      answer.oracle = &truth->result;
+    }
+    if (trace.composite) {
+      answer.images.emplace("composite", &*trace.composite);
+      answer.images.emplace("reflection", &*trace.reflection);
+    }
+    for (const PassReport& report : trace.passes) {
+      answer.times.emplace(report.pass, samplesOf(report));
+    }
+    answers.push_back(std::move(answer));
+  }
+}
+
+CheckResult failureOf(const CellRun& cell) {
+  CheckResult result;
+  result.device = cell.device;
+  result.size = cell.size;
+  result.outcome = Outcome::kError;
+  if (cell.error) {
+    result.message = sentence(*cell.error);
+  } else if (cell.death) {
+    const bool is_timeout = cell.death->kind == WorkerDeath::Kind::kTimeout;
+    result.outcome = is_timeout ? Outcome::kTimeout : Outcome::kCrash;
+    result.message = deathText(*cell.death);
+  }
+  return result;
+}
+
+std::vector<CheckResult> messagesOf(const CellRun& cell) {
+  std::vector<CheckResult> checks;
+  for (const std::string& message : cell.result->messages) {
+    CheckResult& check = checks.emplace_back(failureOf(cell));
+    check.outcome = Outcome::kFail;
+    check.message = message;
+  }
+  return checks;
+}
+
+std::vector<CheckResult> limitedTracesOf(const CellRun& cell) {
+  std::vector<CheckResult> checks;
+  for (const TraceResult& trace : cell.result->traces) {
+    const bool is_cut = std::ranges::any_of(trace.record.rays, [](const RayHit& ray) {
+      return std::max(ray.steps, ray.lookups) >= kLimiterSteps;
+    });
+    if (is_cut) {
+      CheckResult& check = checks.emplace_back(failureOf(cell));
+      check.stage = trace.stage;
+      check.outcome = Outcome::kLimiter;
+      check.message = fmt::format(
+          "a ray took {} steps or more: Mesa cuts loops at 65,535 iterations without a word, so the answer "
+          "is not the "
+          "shader's own; bound the loop",
+          kLimiterSteps);
+    }
+  }
+  return checks;
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,167 @@
+#include "command/run_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <set>
+
+#include "base/check.h"
+#include "check/read_expectations.h"
+#include "command/parameters_file.h"
+#include "frame/stages.h"
+#include "scene/find_scene.h"
+
+namespace ssrkit {
+
+namespace {
+
+// Each pass is drawn this often after its first, cold time; the table shows the median.
+constexpr int kTimedRounds = 2;
+
+std::vector<std::string> withoutRepeats(const std::vector<std::string>& words) {
+  std::vector<std::string> kept;
+  for (const std::string& word : words) {
+    if (std::ranges::find(kept, word) == kept.end()) {
+      kept.push_back(word);
+    }
+  }
+  return kept;
+}
+
+Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitPaths& paths) {
+  std::vector<SceneSource> list;
+  if (!options.gbuffer.empty()) {
+    if (!options.scenes.empty()) {
+      return inputError("run", "--gbuffer and --scene were both given", "", "trace one or the other");
+    }
+    auto files = readGbuffer(options.gbuffer);
+    if (!files) {
+      return tl::make_unexpected(files.error());
+    }
+    const auto parameters = parametersBesideCamera(options.gbuffer);
+    if (!parameters) {
+      return tl::make_unexpected(parameters.error());
+    }
+    const std::string name = files->name;
+    list.push_back({.name = name,
+                    .file = {},
+                    .gbuffer = std::make_shared<GbufferFiles>(std::move(*files)),
+                    .camera_name = "",
+                    .defaults = *parameters});
+    return list;
+  }
+  std::set<std::string> names;
+  for (const std::string& scene : options.scenes.empty() ? builtInScenes(paths.scenes) : options.scenes) {
+    auto source = Suite::source(scene, paths.scenes);
+    if (!source) {
+      return tl::make_unexpected(source.error());
+    }
+    source->camera_name = options.camera;
+    if (!names.insert(source->name).second) {
+      return inputError("run", fmt::format("two scenes are called '{}'", source->name), scene,
+                        "their files would overwrite each other, run them one by one");
+    }
+    list.push_back(std::move(*source));
+  }
+  return list;
+}
+
+Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths) {
+  auto files = loadExpectations(paths.expectations / "standard.toml");
+  if (!files) {
+    return tl::make_unexpected(files.error());
+  }
+  TestFile test = std::move(files->front());
+  test.stages = withoutRepeats(options.stages);
+  for (const std::string& stage : test.stages) {
+    if (const auto found = findStage(stage); !found) {
+      return tl::make_unexpected(found.error());
+    }
+  }
+  test.rounds = kTimedRounds;
+  test.cases = {TestCase{}};
+  TraceParameters scratch;
+  for (const std::string& assignment : options.parameters) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      return inputError("read --param", fmt::format("'{}' is not NAME=VALUE", assignment), "--param");
+    }
+    const std::string name = assignment.substr(0, equals);
+    const std::string value = assignment.substr(equals + 1);
+    if (const auto set = setParameter(scratch, name, value, "--param"); !set) {
+      return tl::make_unexpected(set.error());
+    }
+    test.cases.front().parameters.emplace_back(name, value);
+  }
+  return test;
+}
+
+Expected<std::vector<ShaderReplacement>> replacements(const RunOptions& options) {
+  std::vector<ShaderReplacement> list;
+  for (const std::string& assignment : options.replacements) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == assignment.size()) {
+      return inputError("read --replace", fmt::format("'{}' is not PASS=FILE", assignment), "--replace");
+    }
+    list.push_back({.pass = assignment.substr(0, equals), .file = assignment.substr(equals + 1)});
+  }
+  return list;
+}
+
+}  // namespace
+
+Expected<Size> parseSize(const std::string& text) {
+  constexpr int kMaxSide = 16384;
+  Size size;
+  const char* const end = text.data() + text.size();
+  const auto [after_width, width_error] = std::from_chars(text.data(), end, size.width);
+  const bool has_separator = width_error == std::errc() && after_width != end && *after_width == 'x';
+  const auto [after_height, height_error] = has_separator
+                                                ? std::from_chars(after_width + 1, end, size.height)
+                                                : std::from_chars_result{end, std::errc::invalid_argument};
+  if (height_error != std::errc() || after_height != end || size.width < 1 || size.height < 1 ||
+      size.width > kMaxSide || size.height > kMaxSide) {
+    return inputError("read the size",
+                      fmt::format("'{}' is not WIDTHxHEIGHT with sides from 1 to {}", text, kMaxSide),
+                      "--size", "write for example --size 640x360");
+  }
+  return size;
+}
+
+void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
+  const bool is_dense = parameters.stride_px == 1 && parameters.jitter == 0.0;
+  const bool is_unlimited = parameters.lookup_budget == TraceParameters{}.lookup_budget;
+  std::erase_if(test.expectations, [&](Expectation& expectation) {
+    const bool against_oracle = expectation.truth.kind == TruthKind::kOracle;
+    std::erase_if(expectation.stages, [&](const std::string& stage) {
+      const bool is_chosen = std::ranges::find(test.stages, stage) != test.stages.end();
+      return !is_chosen || (against_oracle && stage == "dda" && !(is_dense && is_unlimited)) ||
+             (against_oracle && stage == "hiz" && !is_unlimited);
+    });
+    return expectation.stages.empty();
+  });
+}
+
+Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& paths) {
+  const auto size = parseSize(options.size);
+  auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
+  auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());
+  auto scenes = replaced ? sources(options, paths) : tl::make_unexpected(replaced.error());
+  if (!scenes) {
+    return tl::make_unexpected(scenes.error());
+  }
+  for (SceneSource& source : *scenes) {
+    for (const auto& [name, value] : test->cases.front().parameters) {
+      SSRKIT_CHECK(setParameter(source.defaults, name, value, "--param").has_value());
+    }
+  }
+  return RunRequest{.size = *size,
+                    .test = std::move(*test),
+                    .scenes = std::move(*scenes),
+                    .devices = withoutRepeats(options.devices),
+                    .replacements = std::move(*replaced)};
+}
+
+}  // namespace ssrkit

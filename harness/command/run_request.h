@@ -1,0 +1,35 @@
+// What a `run` was asked for, from its options: scenes, stages, parameters, size, shaders.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/size.h"
+#include "check/expectation.h"
+#include "command/kit_paths.h"
+#include "command/run.h"
+#include "command/suite.h"
+
+namespace ssrkit {
+
+// "640x360": two whole numbers from 1 to 16384.
+[[nodiscard]] Expected<Size> parseSize(const std::string& text);
+
+struct RunRequest {
+  Size size;
+  TestFile test;  // the built-in checks for any scene, with the chosen stages and parameters
+  std::vector<SceneSource> scenes;   // the parameters in their defaults
+  std::vector<std::string> devices;  // each once
+  std::vector<ShaderReplacement> replacements;
+};
+
+// Fails on whatever is not there, misspelt or contradictory, before any work is done.
+[[nodiscard]] Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& paths);
+
+// Leaves out what is not asked of the chosen stages, and what the parameters make untrue of a right tracer:
+// strides and jitter let the DDA pass more than it leaks, and a budget ends the pyramid's tracer later than
+// the walk.
+void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters);
+
+}  // namespace ssrkit
