@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/check.h"
 #include "check/read_expect_section.h"
 #include "check/signatures.h"
 
@@ -95,6 +96,7 @@ RayPairs pairRays(const Subject& subject, const Truth& truth) {
   }
   const ExpectedRecord expected = expectedRecord(subject, truth);
   result.problem = expected.problem;
+  SSRKIT_CHECK(expected.record != nullptr || !result.problem.empty());
   const RayRecord& yours = *subject.self->record;
   if (result.problem.empty() && expected.record->rays.size() != yours.rays.size()) {
     result.problem = fmt::format("the records have different sizes, {} and {}", sizeText(yours.size),

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <thread>
@@ -52,16 +53,20 @@ Expected<int> runProgram(std::vector<std::string> arguments) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+// A number from the attributes of <testsuite ...>, which stand on lines of their own.
 Expected<std::size_t> attribute(const std::string& junit, const std::string& name) {
+  const std::size_t start = junit.find("<testsuite");
+  const std::size_t end = start == std::string::npos ? start : junit.find('>', start);
+  std::string attributes = end == std::string::npos ? "" : junit.substr(start, end - start);
+  std::ranges::replace_if(
+      attributes, [](char letter) { return letter == '\n' || letter == '\t'; }, ' ');
   const std::string key = " " + name + "=\"";
-  const std::size_t suite = junit.find("<testsuite");
-  const std::size_t start = junit.find(key, suite == std::string::npos ? junit.size() : suite);
+  const std::size_t at = attributes.find(key);
   std::size_t number = 0;
-  if (start == std::string::npos) {
+  if (at == std::string::npos) {
     return setupError(kAttempted, fmt::format("CTest's report has no '{}'", name));
   }
-  const char* const digits = junit.data() + start + key.size();
-  std::from_chars(digits, junit.data() + junit.size(), number);
+  std::from_chars(attributes.data() + at + key.size(), attributes.data() + attributes.size(), number);
   return number;
 }
 
