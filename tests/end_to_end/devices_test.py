@@ -1,11 +1,12 @@
 """`ssrkit devices`: who is there."""
 
 import json
+import resource
 import time
 
 import kit
 
-NO_OP_S = 3.0  # 0.5 s on a machine of one's own
+CPU_S = 1.0  # of all its processes; 0.15 s here. The time on the wall is the machine's other users' too.
 
 
 class Devices(kit.KitTest):
@@ -28,13 +29,15 @@ class Devices(kit.KitTest):
             self.assertEqual("SPIR-V", devices[name]["traits"]["shader_input"])
 
     def test_takes_no_time(self):
-        times = []
+        costs = []
         for _ in range(3):
-            start = time.monotonic()
+            start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
             self.assert_exit(0, self.ssrkit("devices"))
-            times.append(time.monotonic() - start)
-        print(f"ssrkit devices took {min(times):.2f} s at best of {len(times)}")
-        self.assertLess(min(times), NO_OP_S)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            cpu_s = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            costs.append((cpu_s, time.monotonic() - start))
+        print(f"ssrkit devices took {min(costs)[0]:.2f} s of CPU and {min(costs)[1]:.2f} s")
+        self.assertLess(min(costs)[0], CPU_S)
 
     def test_a_driver_that_is_not_there_is_an_error(self):
         missing = {"VK_ICD_FILENAMES": "/nonexistent/icd.json", "VK_DRIVER_FILES": "/nonexistent/icd.json"}

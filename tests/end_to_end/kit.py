@@ -19,7 +19,7 @@ PROGRAM = os.environ.get("SSRKIT_PROGRAM", "")
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 DEVICES = ("gl-osmesa", "vk-lavapipe")
 ALL_SKIPPED = 77
-PATIENCE_S = 100  # for one command on a busy machine; more is a hang
+PATIENCE_S = 240  # for one command on a busy machine; more is a hang
 CLOSING_LINE = re.compile(r"^\d+ passed, \d+ failed(, \d+ skipped)?$")
 
 
@@ -34,7 +34,7 @@ class Result:
 
 
 def environment(**changes):
-    variables = {k: v for k, v in os.environ.items() if k not in ("SSRKIT_FAULT", "NO_COLOR")}
+    variables = {k: v for k, v in os.environ.items() if k not in ("SSRKIT_FAULT", "SSRKIT_PRESET", "NO_COLOR")}
     variables.update(changes)
     return variables
 
