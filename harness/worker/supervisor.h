@@ -37,7 +37,7 @@ struct DeviceInfo {
 struct WorkerOptions {
   std::filesystem::path shader_root;                    // where the start-up probe finds its shaders
   std::filesystem::path executable = "/proc/self/exe";  // called as `EXECUTABLE __worker DEVICE`
-  std::chrono::milliseconds start_limit{20000};         // from the start to the device's identity and traits
+  std::chrono::milliseconds start_limit{60000};         // from the start to the device's identity and traits
 };
 
 // One device's worker. It is started at the first call, and again after a death. Different Workers may be

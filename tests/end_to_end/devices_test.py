@@ -39,14 +39,17 @@ class Devices(kit.KitTest):
         print(f"ssrkit devices took {min(costs)[0]:.2f} s of CPU and {min(costs)[1]:.2f} s")
         self.assertLess(min(costs)[0], CPU_S)
 
-    def test_a_driver_that_is_not_there_is_an_error(self):
-        missing = {"VK_ICD_FILENAMES": "/nonexistent/icd.json", "VK_DRIVER_FILES": "/nonexistent/icd.json"}
-        listed = self.ssrkit("devices", env=missing)
-        if listed.code == 0:
-            self.skipTest("the kit chooses its Vulkan driver itself")
+    def test_a_device_that_does_not_start_is_an_error_and_the_other_is_shown(self):
+        broken = {"SSRKIT_FAULT": "crash:vk-lavapipe start"}
+        listed = self.ssrkit("devices", env=broken)
         self.assert_exit(3, listed)
-        self.assertIn("absent: could not", listed.out)
-        self.assert_refused(self.trace(device="vk-lavapipe", env=missing), "vk-lavapipe", code=3)
+        self.assertIn("absent: could not start the device 'vk-lavapipe'", listed.out)
+        self.assertIn("OpenGL 4.5", listed.out)
+        present = {device["id"]: device["present"] for device in json.loads(self.ssrkit("devices", "--json", env=broken).out)}
+        self.assertEqual({"gl-osmesa": True, "vk-lavapipe": False}, present)
+        traced = self.trace(device="vk-lavapipe", env=broken)
+        self.assert_exit(3, traced)
+        self.assertIn("could not start the device 'vk-lavapipe'", traced.err)
 
 
 if __name__ == "__main__":
