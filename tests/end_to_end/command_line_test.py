@@ -134,7 +134,8 @@ class Parameters(CommandLineTest):
                 self.assert_refused_early(self.trace("--param", text), "--param", "NAME=VALUE")
 
     def test_the_ends_of_the_ranges_work(self):
-        result = self.trace("--param", "thickness_m=inf", "--param", "max_distance_m=inf", "--param", "lookup_budget=60000")
+        ends = ("thickness_m=inf", "max_distance_m=inf", "lookup_budget=60000", "jitter=0", "stride_px=1")
+        result = self.trace(*(word for end in ends for word in ("--param", end)))
         self.assert_exit(0, result)
 
 

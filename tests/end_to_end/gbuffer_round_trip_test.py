@@ -15,12 +15,14 @@ class RoundTrip(kit.KitTest):
         first = self.ssrkit("run", "--scene", scene, *stages, "--device", device, "--size", "96x54", "--out", "first",
                             *more)
         self.assertIn(first.code, (0, 1), str(first))
-        again = self.ssrkit("run", "--gbuffer", f"first/{scene}/{device}", *stages, "--device", device, "--out", "again")
+        again = self.ssrkit("run", "--gbuffer", f"first/{scene}/{device}", *stages, "--device", device,
+                            "--out", "again")
         self.assertEqual(first.code, again.code, str(again))
         before, after = self.hits(f"first/{scene}", device), self.hits(f"again/{device}", device)
         for stage in STAGES:
             self.assertEqual(before[stage], after[stage], f"{stage} found other hits")
-        images = [exr.read(self.path(folder, device, "lit.exr")).bits() for folder in (f"first/{scene}", f"again/{device}")]
+        folders = (f"first/{scene}", f"again/{device}")
+        images = [exr.read(self.path(folder, device, "lit.exr")).bits() for folder in folders]
         self.assertEqual(*images, "the light is another")
 
     def test_gl_in_a_scene_with_a_thickness_of_its_own(self):
@@ -37,7 +39,8 @@ class RoundTrip(kit.KitTest):
 
     def test_the_devices_agree_on_one_uploaded_gbuffer(self):
         self.assert_exit(0, self.trace(scene="thin", size="96x54", out="first"))
-        result = self.ssrkit("run", "--gbuffer", "first/thin/gl-osmesa", "--stage", "hiz", "--stage", "dda", "--out", "both")
+        result = self.ssrkit("run", "--gbuffer", "first/thin/gl-osmesa", "--stage", "hiz", "--stage", "dda",
+                             "--out", "both")
         self.assertIn(result.code, (0, 1), str(result))
         for stage in ("hiz", "dda"):
             bits = [exr.read(self.path("both/gl-osmesa", device, stage, "hit.exr")).bits() for device in kit.DEVICES]

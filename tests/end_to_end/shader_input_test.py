@@ -49,7 +49,8 @@ class WhatDoesNotCompile(ShaderTest):
                                    "includes itself")
 
     def test_missing_include(self):
-        self.assert_shader_refused('#version 450\n#include "nosuch.glsl"\nvoid main() {}\n', "own.frag:2", "nosuch.glsl")
+        self.assert_shader_refused('#version 450\n#include "nosuch.glsl"\nvoid main() {}\n', "own.frag:2",
+                                   "nosuch.glsl")
 
     def test_not_text(self):
         self.assert_shader_refused(b"\0\xff\xfe", "own.frag")
@@ -77,7 +78,8 @@ class WhatDoesNotFit(ShaderTest):
         self.assert_shader_refused("#version 450\nvoid main() {}\n", "own.frag", "no output at location 0")
 
     def test_unknown_image(self):
-        text = "#version 450\nlayout(binding = 1) uniform sampler2D nosuch;\n" + OUTPUTS % "texelFetch(nosuch, ivec2(0), 0)"
+        text = ("#version 450\nlayout(binding = 1) uniform sampler2D nosuch;\n" +
+                OUTPUTS % "texelFetch(nosuch, ivec2(0), 0)")
         self.assert_shader_refused(text, "own.frag", "'nosuch'", "dist_view")
 
     def test_image_of_another_kind(self):
