@@ -167,8 +167,13 @@ Expected<int> testCommand(const TestOptions& options) {
     return inputError("run the tests", fmt::format("no test matches '{}'", options.filter), "--filter",
                       "./ssrkit test --list shows their names");
   }
+  const int code = exitCode(outcomes);
+  // On a line of its own: the closing line is read by programs.
+  if (const auto noisy = std::erase(outcomes, Outcome::kInconclusive); noisy > 0) {
+    fmt::print("\n{} inconclusive: too noisy to judge on this machine\n", noisy);
+  }
   fmt::print("\n{}\n", closingLine(outcomes));
-  return exitCode(outcomes);
+  return code;
 }
 
 }  // namespace ssrkit
