@@ -1,8 +1,8 @@
 // Adds the reflection to the lit image: Fresnel-weighted, the sky where the ray found nothing.
 //
 // In: lit, reflection, albedo, normal_view, material, dist_view. Out: composite, linear radiance.
-// Fresnel: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Eurographics 1994.
 #version 450
+#include "composite_forms.glsl"
 #include "sky.glsl"
 #include "ssr_ordered.glsl"
 
@@ -31,12 +31,11 @@ void main() {
     vec3 from_eye = ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
     vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
     float cosine = clamp(-ordered_dot(from_eye, normal), 0.0, 1.0);
-    vec3 at_normal_incidence = mix(vec3(0.04), texelFetch(albedo, texel, 0).rgb, surface.r);
-    vec3 fresnel = at_normal_incidence + (1.0 - at_normal_incidence) * pow(1.0 - cosine, 5.0);
+    vec3 fresnel = fresnel_schlick(fresnel_f0(texelFetch(albedo, texel, 0).rgb, surface.r), cosine);
     vec4 found = texelFetch(reflection, texel, 0);
     float elevation = ordered_dot(ordered_reflect(from_eye, normal), up_view);
     vec3 arriving = mix(sky_radiance(elevation, sky_horizon, sky_zenith), found.rgb, found.a);
-    radiance += surface.b * fresnel * arriving;
+    radiance = composite_mirror(radiance, arriving, fresnel, surface.b);
   }
   composite = vec4(radiance, 1.0);
 }

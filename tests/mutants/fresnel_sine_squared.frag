@@ -1,0 +1,40 @@
+// Mutant of composite.frag: the sine squared in the place of Fresnel.
+//
+// In: lit, reflection, albedo, normal_view, material, dist_view. Out: composite, linear radiance.
+#version 450
+#include "composite_forms.glsl"
+#include "sky.glsl"
+#include "ssr_ordered.glsl"
+
+layout(std140, binding = 0) uniform CompositeBlock {
+  vec2 px_offset;
+  vec2 view_per_px;
+  vec3 up_view;
+  vec3 sky_horizon;
+  vec3 sky_zenith;
+};
+
+layout(binding = 1) uniform sampler2D lit;
+layout(binding = 2) uniform sampler2D reflection;
+layout(binding = 3) uniform sampler2D albedo;
+layout(binding = 4) uniform sampler2D normal_view;
+layout(binding = 5) uniform sampler2D material;
+layout(binding = 6) uniform sampler2D dist_view;
+
+layout(location = 0) out vec4 composite;
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 radiance = texelFetch(lit, texel, 0).rgb;
+  vec4 surface = texelFetch(material, texel, 0);
+  if (surface.b > 0.0 && !isinf(texelFetch(dist_view, texel, 0).x)) {
+    vec3 from_eye = ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
+    vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
+    vec3 fresnel = vec3((1.0 + ordered_dot(from_eye, ordered_reflect(from_eye, normal))) / 2.0);
+    vec4 found = texelFetch(reflection, texel, 0);
+    float elevation = ordered_dot(ordered_reflect(from_eye, normal), up_view);
+    vec3 arriving = mix(sky_radiance(elevation, sky_horizon, sky_zenith), found.rgb, found.a);
+    radiance = composite_mirror(radiance, arriving, fresnel, surface.b);
+  }
+  composite = vec4(radiance, 1.0);
+}

@@ -1,0 +1,188 @@
+#include "pass_test.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
+
+#include <toml++/toml.h>
+#include <cstring>
+#include <filesystem>
+
+#include "device/format.h"
+
+namespace ssrkit {
+
+namespace {
+
+const std::string kSource = SSRKIT_SOURCE_DIR;
+
+std::vector<std::string> channelNames(Format format) {
+  const std::vector<std::string> all = {"R", "G", "B", "A"};
+  return {all.begin(), all.begin() + formatInfo(format).channel_count};
+}
+
+Expected<Image> readMip(Device& device, const DeviceImage& image, int mip) {
+  const auto bytes = device.read(image, mip);
+  if (!bytes) {
+    return tl::make_unexpected(bytes.error());
+  }
+  Image read(mipSize(image.desc(), mip), channelNames(image.desc().format));
+  for (std::size_t i = 0; i < read.data.size(); ++i) {
+    if (image.desc().format == Format::kRgba16f) {
+      std::uint16_t half = 0;
+      std::memcpy(&half, bytes->data() + 2 * i, sizeof(half));
+      read.data[i] = glm::unpackHalf1x16(half);
+    } else {
+      std::memcpy(&read.data[i], bytes->data() + 4 * i, sizeof(float));
+    }
+  }
+  return read;
+}
+
+// The mutant's shader, once its description names the test that runs.
+std::string mutantFile(const std::string& name, const std::string& shader) {
+  const std::string path = kSource + "/tests/mutants/" + name;
+  const toml::table about = toml::parse_file(path + ".toml");
+  EXPECT_EQ(about["pass"].value_or(std::string()) + ".frag", shader) << name;
+  EXPECT_GT(about["about"].value_or(std::string()).size(), 20U) << name;
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  const std::string suite = test.test_suite_name();
+  const std::string title = test.name();
+  EXPECT_EQ(about["killed_by"].value_or(std::string()),
+            suite.substr(suite.find('/') + 1) + "." + title.substr(0, title.find('/')))
+      << name;
+  return path + ".frag";
+}
+
+}  // namespace
+
+void PassTest::begin() {
+  given_.clear();
+  values_ = {};
+}
+
+void PassTest::give(const std::string& name, const Image& image, Format format) {
+  auto created = device_->createImage({.name = name, .format = format, .size = image.size});
+  ASSERT_TRUE(created.has_value()) << sentence(created.error());
+  ASSERT_TRUE(uploadImage(*device_, **created, image, {0, 0, 0, 1}).has_value());
+  given_[name] = std::move(*created);
+}
+
+void PassTest::giveIntegers(const std::string& name, const Image& image, Format format) {
+  auto created = device_->createImage({.name = name, .format = format, .size = image.size});
+  ASSERT_TRUE(created.has_value()) << sentence(created.error());
+  std::vector<std::int16_t> words;  // two's complement: the same words for unsigned values below 2^15
+  for (const float value : image.data) {
+    words.push_back(static_cast<std::int16_t>(value));
+  }
+  ASSERT_TRUE(device_->upload(**created, 0, std::as_bytes(std::span(words))).has_value());
+  given_[name] = std::move(*created);
+}
+
+const Program* PassTest::program(const PassRow& row) {
+  if (programs_ == nullptr) {
+    programs_ = std::make_unique<Programs>(*device_, target_);
+  }
+  const auto made = programs_->get(row, {.shader_root = kSource + "/shaders"});
+  EXPECT_TRUE(made.has_value()) << sentence(made.error());
+  return made ? *made : nullptr;
+}
+
+Image PassTest::drawInto(const std::string& shader, const Attachment& target, Size size,
+                         const std::map<std::string, SampledImage>& aliases) {
+  const PassRow row{.name = shader,
+                    .vertex_shader = "full_screen.vert",
+                    .fragment_shader = shader,
+                    .colour_formats = {target.image->desc().format},
+                    .has_depth = false,
+                    .vertex_attributes = {},
+                    .vertex_stride_bytes = 0};
+  const Image failed(size, channelNames(target.image->desc().format));
+  const Program* compiled = program(row);
+  if (compiled == nullptr) {
+    return failed;
+  }
+  std::map<std::string, SampledImage> sampled = aliases;
+  for (const auto& [name, image] : given_) {
+    sampled.emplace(name, SampledImage{.image = image.get(), .mip_count = image->desc().mip_count});
+  }
+  const FrameImages none(*device_, size);
+  const auto time = drawFullScreen(
+      *device_, *compiled,
+      {.row = &row, .targets = {target}, .viewport = {0, 0, size.width, size.height}, .aliases = sampled},
+      none, values_);
+  EXPECT_TRUE(time.has_value()) << sentence(time.error());
+  const auto image = readMip(*device_, *target.image, target.mip);
+  EXPECT_TRUE(image.has_value()) << sentence(image.error());
+  return time && image ? *image : failed;
+}
+
+Image PassTest::draw(const std::string& shader, Size size, Format format) {
+  const auto target = device_->createImage({.name = "target", .format = format, .size = size});
+  EXPECT_TRUE(target.has_value()) << sentence(target.error());
+  return drawInto(shader, {target->get(), 0, std::nullopt}, size, {});
+}
+
+std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& base, Format format) {
+  int mip_count = 1;
+  while (std::max(base.size.width, base.size.height) >> mip_count > 0) {
+    ++mip_count;
+  }
+  auto chain =
+      device_->createImage({.name = "chain", .format = format, .size = base.size, .mip_count = mip_count});
+  EXPECT_TRUE(chain.has_value()) << sentence(chain.error());
+  EXPECT_TRUE(uploadImage(*device_, **chain, base, {0, 0, 0, 1}).has_value());
+  std::vector<Image> mips = {base};
+  for (int mip = 1; mip < mip_count; ++mip) {
+    mips.push_back(drawInto(shader, {chain->get(), mip, std::nullopt}, mipSize((*chain)->desc(), mip),
+                            {{"finer", {.image = chain->get(), .base_mip = mip - 1}}}));
+  }
+  given_["chain"] = std::move(*chain);
+  return mips;
+}
+
+void PassTest::holdsAndKills(const Check& check, const std::string& shader,
+                             const std::vector<std::string>& mutants) {
+  EXPECT_EQ(check(shader), "");
+  for (const std::string& mutant : mutants) {
+    EXPECT_NE(check(mutantFile(mutant, shader)), "") << mutant << " survives";
+  }
+}
+
+std::string difference(const Image& got, const Image& expected, double tolerance) {
+  if (got.size != expected.size || got.channelCount() != expected.channelCount()) {
+    return "other sizes or channels";
+  }
+  std::size_t worst = 0;
+  double largest = -1.0;
+  for (std::size_t i = 0; i < got.data.size(); ++i) {
+    const double off = std::abs(static_cast<double>(got.data[i]) - static_cast<double>(expected.data[i]));
+    if (!(off <= largest)) {  // also for what is no number
+      largest = off;
+      worst = i;
+    }
+  }
+  if (largest <= tolerance) {
+    return "";
+  }
+  const std::size_t texel = worst / got.channelCount();
+  const auto width = static_cast<std::size_t>(got.size.width);
+  return fmt::format("texel {}, {} channel {}: {} where {} is right", texel % width, texel / width,
+                     worst % got.channelCount(), got.data[worst], expected.data[worst]);
+}
+
+Image imageOf(Size size, const std::function<std::array<double, 4>(int x, int y)>& texel,
+              std::size_t channel_count) {
+  const std::vector<std::string> all = {"R", "G", "B", "A"};
+  Image image(size, {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(channel_count)});
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const auto value = texel(x, y);
+      for (std::size_t channel = 0; channel < channel_count; ++channel) {
+        image.at(x, y, channel) = static_cast<float>(value[channel]);
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace ssrkit
