@@ -177,7 +177,10 @@ std::filesystem::path defaultsFileOf(const std::filesystem::path& scene_file) {
 
 void applyLook(const SceneDefaults& defaults, Scene& scene) {
   DirectionalLight& light = scene.directional_lights.front();
-  light.direction_world = defaults.light_direction_world.value_or(light.direction_world);
+  if (defaults.light_direction_world) {
+    light.direction_world = *defaults.light_direction_world;
+    light.tree_node = -1;  // the direction holds at all times
+  }
   light.radiance = defaults.light_radiance.value_or(light.radiance);
   scene.sky_horizon = defaults.sky_horizon.value_or(scene.sky_horizon);
   scene.sky_zenith = defaults.sky_zenith.value_or(scene.sky_zenith);

@@ -36,9 +36,16 @@ SceneCamera framedCamera(const BoundingSphere& sphere) {
   const glm::dvec3 towards_camera = glm::normalize(glm::dvec3(0.6, 0.45, 1.0));
   camera.view_from_world =
       glm::lookAt(sphere.centre + distance * towards_camera, sphere.centre, glm::dvec3(0.0, 1.0, 0.0));
+  camera.previous_view_from_world = camera.view_from_world;
   camera.near_m = 0.5 * (distance - radius);
   camera.far_m = 1.5 * (distance + radius);
   return camera;
+}
+
+double farBehindScene(const Scene& scene, const SceneCamera& camera) {
+  const BoundingSphere sphere = boundingSphere(scene);
+  const glm::dvec3 centre_view(camera.view_from_world * glm::dvec4(sphere.centre, 1.0));
+  return std::max(1.1 * (sphere.radius_m - centre_view.z), 100.0 * camera.near_m);
 }
 
 }  // namespace ssrkit

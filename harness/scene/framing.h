@@ -18,4 +18,7 @@ struct BoundingSphere {
 // above, 45 degrees field of view. Near and far leave room around the sphere.
 [[nodiscard]] SceneCamera framedCamera(const BoundingSphere& sphere);
 
+// A far plane beyond everything that the camera may see.
+[[nodiscard]] double farBehindScene(const Scene& scene, const SceneCamera& camera);
+
 }  // namespace ssrkit

@@ -188,8 +188,10 @@ Expected<std::vector<float>> readFloats(const GltfDocument& document, int access
                                         const std::string& place) {
   const tinygltf::Accessor& accessor = document.model->accessors[static_cast<std::size_t>(accessor_index)];
   const std::string here = fmt::format("{} (accessors[{}])", place, accessor_index);
-  if (accessor.type != components) {  // tinygltf's VECn is n
-    return document.source.refuse(here, fmt::format("its type is not VEC{}", components));
+  const int wanted_type = components == 1 ? TINYGLTF_TYPE_SCALAR : components;  // tinygltf's VECn is n
+  if (accessor.type != wanted_type) {
+    return document.source.refuse(
+        here, components == 1 ? "its type is not SCALAR" : fmt::format("its type is not VEC{}", components));
   }
   if (accessor.count > kMaxVertices) {
     return document.source.refuse(

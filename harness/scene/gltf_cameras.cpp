@@ -18,30 +18,6 @@ namespace {
 
 constexpr std::string_view kOrthographic = "orthographic cameras are not supported";
 
-// The rigid part of a node's place: tracing needs lengths and angles as they are in the world.
-bool rigidViewFromWorld(const glm::dmat4& world_from_node, glm::dmat4& view_from_world) {
-  const glm::dvec3 back(world_from_node[2]);
-  const glm::dvec3 up(world_from_node[1]);
-  const glm::dvec3 right = glm::cross(up, back);
-  if (!(glm::length(right) > 1e-12 * glm::length(up) * glm::length(back))) {
-    return false;
-  }
-  const glm::dvec3 z = glm::normalize(back);
-  const glm::dvec3 x = glm::normalize(right);
-  const glm::dvec3 y = glm::cross(z, x);
-  const glm::dvec3 eye(world_from_node[3]);
-  view_from_world = glm::dmat4(glm::transpose(glm::dmat3(x, y, z)));
-  view_from_world[3] = glm::dvec4(-glm::dot(x, eye), -glm::dot(y, eye), -glm::dot(z, eye), 1.0);
-  return true;
-}
-
-// Beyond everything: glTF's infinite projection has no last depth, and the kit's stored depth needs one.
-double farBehindScene(const Scene& scene, const SceneCamera& camera) {
-  const BoundingSphere sphere = boundingSphere(scene);
-  const glm::dvec3 centre_view(camera.view_from_world * glm::dvec4(sphere.centre, 1.0));
-  return std::max(1.1 * (sphere.radius_m - centre_view.z), 100.0 * camera.near_m);
-}
-
 Expected<SceneCamera> readCamera(GltfDocument& document, const PlacedNode& placed, const Scene& scene) {
   const tinygltf::Node& node = document.model->nodes[static_cast<std::size_t>(placed.node)];
   const tinygltf::Camera& from = document.model->cameras[static_cast<std::size_t>(node.camera)];
@@ -60,16 +36,22 @@ Expected<SceneCamera> readCamera(GltfDocument& document, const PlacedNode& place
   if (camera.name.empty()) {
     camera.name = fmt::format("camera {}", node.camera);
   }
-  if (!rigidViewFromWorld(placed.world_from_node, camera.view_from_world)) {
+  const auto view_from_world = viewFromWorld(placed.world_from_node);
+  if (!view_from_world) {
     return document.source.refuse(fmt::format("nodes[{}]", placed.node),
                                   "its transform leaves its camera no direction");
   }
+  camera.view_from_world = *view_from_world;
+  camera.previous_view_from_world = *view_from_world;
+  camera.tree_node = placed.tree_node;
   camera.fov_y_rad = lens.yfov;
   if (lens.aspectRatio > 0.0) {
     camera.aspect = lens.aspectRatio;
   }
   camera.near_m = lens.znear;
-  camera.far_m = lens.zfar != 0.0 ? lens.zfar : farBehindScene(scene, camera);
+  // glTF's infinite projection has no last depth, and the kit's stored depth needs one.
+  camera.far_follows_scene = lens.zfar == 0.0;
+  camera.far_m = camera.far_follows_scene ? farBehindScene(scene, camera) : lens.zfar;
   return camera;
 }
 

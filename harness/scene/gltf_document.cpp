@@ -71,6 +71,25 @@ Expected<void> collectImages(GltfDocument& document, const json& root) {
   return {};
 }
 
+// Straight from the JSON, whose types the schema has checked: tinygltf copies an animation's `extras` too.
+std::vector<GltfAnimation> collectAnimations(const json& root) {
+  std::vector<GltfAnimation> animations;
+  for (const json& from : root.value("animations", json::array())) {
+    GltfAnimation animation;
+    for (const json& sampler : from.at("samplers")) {
+      animation.samplers.push_back({sampler.at("input").get<int>(), sampler.at("output").get<int>(),
+                                    sampler.value("interpolation", std::string("LINEAR"))});
+    }
+    for (const json& channel : from.at("channels")) {
+      const json& target = channel.at("target");
+      animation.channels.push_back(
+          {channel.at("sampler").get<int>(), target.value("node", -1), target.at("path").get<std::string>()});
+    }
+    animations.push_back(std::move(animation));
+  }
+  return animations;
+}
+
 // What tinygltf is given: the structure only. It follows URIs, decodes images and copies `extras` of any
 // depth by rules of its own, so none of those reach it.
 std::string structureOnly(json& root) {
@@ -137,17 +156,13 @@ Expected<GltfDocument> readGltfDocument(const GltfSource& source) {
   if (auto images = collectImages(document, *root); !images) {
     return tl::make_unexpected(images.error());
   }
-  const bool animated = root->contains("animations");
+  document.animations = collectAnimations(*root);
   auto model = parseModel(source, structureOnly(*root));
   if (!model) {
     return tl::make_unexpected(model.error());
   }
   document.model = *std::move(model);
   noteIgnoredExtensions(document);
-  if (animated) {
-    document.notes.emplace_back(
-        "The file's animations are left out; everything stands where its nodes put it.");
-  }
   return document;
 }
 
@@ -165,6 +180,10 @@ std::vector<std::string> notesOf(const GltfTally& tally) {
   add(tally.mended_normals, "normal", "normals", "of no length replaced by the face's own");
   add(tally.mended_uvs, "texture coordinate", "texture coordinates", "that were not finite set to 0");
   add(tally.skinned_nodes, "skinned mesh", "skinned meshes", "drawn in the bind pose");
+  add(tally.unread_channels, "animation channel", "animation channels",
+      "of morph weights, or of no node, left out");
+  add(tally.rival_channels, "animation channel", "animation channels",
+      "left out: an earlier animation of the file moves the same property of the node");
   add(tally.morphed_primitives, "primitive", "primitives", "drawn without morph targets");
   add(tally.coloured_primitives, "primitive", "primitives", "drawn without vertex colours");
   add(tally.mixed_uv_materials, "texture", "textures",

@@ -20,6 +20,22 @@ struct GltfImageSource {
   int buffer_view = -1;
 };
 
+// One animation as the file has it: indices and words, checked by gltf_animations.h.
+struct GltfAnimation {
+  struct Sampler {
+    int input = 0;  // accessors
+    int output = 0;
+    std::string interpolation;
+  };
+  struct Channel {
+    int sampler = 0;
+    int node = -1;  // -1: none given
+    std::string path;
+  };
+  std::vector<Sampler> samplers;
+  std::vector<Channel> channels;
+};
+
 // What was left out or mended while a scene was built; each count becomes one note.
 struct GltfTally {
   std::size_t non_triangle_primitives = 0;
@@ -28,6 +44,8 @@ struct GltfTally {
   std::size_t mended_normals = 0;
   std::size_t mended_uvs = 0;
   std::size_t skinned_nodes = 0;
+  std::size_t unread_channels = 0;
+  std::size_t rival_channels = 0;
   std::size_t morphed_primitives = 0;
   std::size_t coloured_primitives = 0;
   std::size_t mixed_uv_materials = 0;
@@ -41,6 +59,7 @@ struct GltfDocument {
   std::shared_ptr<const tinygltf::Model> model;
   std::vector<std::vector<std::uint8_t>> buffers;
   std::vector<GltfImageSource> images;
+  std::vector<GltfAnimation> animations;
   std::vector<std::string> notes;
   GltfTally tally;
 };

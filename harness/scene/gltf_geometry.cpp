@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_primitive.h"
+#include "scene/place_mesh.h"
 
 namespace ssrkit {
 
@@ -18,45 +21,24 @@ namespace {
 
 using TextureSet = std::array<int, 4>;
 
+// A moving mesh whose first vertex is counted from its group's.
+struct MovingRun {
+  std::size_t group = 0;
+  MovingMesh mesh;
+};
+
 struct Group {
   int material_index = 0;
   std::vector<Vertex> vertices;
 };
-
-// Mesh to world: positions by the matrix, normals by its cofactors, which is the inverse transpose without
-// the division that a flattened mesh would not survive.
-struct MeshTransform {
-  glm::dmat4 positions;
-  glm::dmat3 directions;
-  glm::dmat3 normals;
-  double handedness = 1.0;  // -1: the transform mirrors, so corners and bitangents change sides
-
-  explicit MeshTransform(const glm::dmat4& world_from_node)
-      : positions(world_from_node), directions(world_from_node) {
-    const glm::dmat3& m = directions;
-    handedness = glm::dot(glm::cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0;
-    normals = glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * handedness;
-  }
-};
-
-// The vector with length 1, or `otherwise` where it has none.
-glm::vec3 unitOr(const glm::dvec3& vector, const glm::dvec3& otherwise, std::size_t* mended) {
-  const double length = glm::length(vector);
-  if (length > 0.0 && std::isfinite(length)) {
-    return glm::vec3(vector / length);
-  }
-  if (mended != nullptr) {
-    ++*mended;
-  }
-  return glm::vec3(otherwise);
-}
 
 class GeometryBuilder {
  public:
   GeometryBuilder(GltfDocument& document, const GltfMaterials& materials)
       : document_(document), materials_(materials) {}
 
-  Expected<void> addMesh(int mesh_index, const glm::dmat4& world_from_node) {
+  Expected<void> addMesh(int mesh_index, const PlacedNode& placed) {
+    const MeshTransform transform(placed.world_from_node);
     const tinygltf::Mesh& mesh = document_.model->meshes[static_cast<std::size_t>(mesh_index)];
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       const auto primitive = cached(mesh_index, static_cast<int>(i));
@@ -68,15 +50,25 @@ class GeometryBuilder {
         return document_.source.refuse("",
                                        fmt::format("the scene has more than {} triangles", kMaxVertices / 3));
       }
-      if (auto added = addTriangles(**primitive, MeshTransform(world_from_node), mesh_index, i); !added) {
+      const std::string place = fmt::format("meshes[{}].primitives[{}]", mesh_index, i);
+      if (auto added = placed.tree_node >= 0 ? addMoving(*primitive, transform, placed.tree_node, place)
+                                             : addTriangles(**primitive, transform, place);
+          !added) {
         return added;
       }
     }
     return {};
   }
 
-  Expected<void> finish(Scene& scene) {
-    for (Group& group : groups_) {
+  Expected<void> finish(Scene& scene, std::vector<MovingMesh>& moving) {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      Group& group = groups_[i];
+      for (MovingRun& run : moving_) {
+        if (run.group == i) {
+          run.mesh.first_vertex += static_cast<std::uint32_t>(scene.vertices.size());
+          moving.push_back(run.mesh);
+        }
+      }
       scene.ranges.push_back({static_cast<std::uint32_t>(scene.vertices.size()),
                               static_cast<std::uint32_t>(group.vertices.size()), group.material_index});
       scene.vertices.insert(scene.vertices.end(), group.vertices.begin(), group.vertices.end());
@@ -92,10 +84,10 @@ class GeometryBuilder {
 
  private:
   // A mesh that many nodes show is read once.
-  Expected<const MeshTriangles*> cached(int mesh, int primitive) {
+  Expected<std::shared_ptr<const MeshTriangles>> cached(int mesh, int primitive) {
     const std::pair key(mesh, primitive);
     if (const auto known = primitives_.find(key); known != primitives_.end()) {
-      return &known->second;
+      return known->second;
     }
     auto read = readPrimitive(document_, materials_, mesh, primitive);
     if (!read) {
@@ -106,10 +98,12 @@ class GeometryBuilder {
       return document_.source.refuse("meshes",
                                      fmt::format("they hold more than {} vertices", 4 * kMaxVertices));
     }
-    return &primitives_.emplace(key, *std::move(read)).first->second;
+    auto kept = std::make_shared<const MeshTriangles>(*std::move(read));
+    primitives_.emplace(key, kept);
+    return kept;
   }
 
-  Group& groupOf(int material_index) {
+  std::size_t groupOf(int material_index) {
     const Material& material = materials_.materials[static_cast<std::size_t>(material_index)];
     const TextureSet textures{material.base_colour_texture, material.metallic_roughness_texture,
                               material.normal_texture, material.emissive_texture};
@@ -117,75 +111,68 @@ class GeometryBuilder {
     if (is_new) {
       groups_.push_back({material_index, {}});
     }
-    return groups_[known->second];
+    return known->second;
   }
 
-  Expected<void> addTriangles(const MeshTriangles& mesh, const MeshTransform& transform, int mesh_index,
-                              std::size_t primitive_index) {
-    if (mesh.triangles.empty()) {
-      return {};
-    }
-    Group& group = groupOf(mesh.material_index);
-    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-      std::array<std::uint32_t, 3> corners{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]};
-      if (transform.handedness < 0.0) {
-        std::swap(corners[1], corners[2]);
+  // Refuses corners that single precision cannot hold.
+  [[nodiscard]] Expected<void> checkFinite(const PlacedTriangle& placed, const std::string& place) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::vec3& p_world = placed.vertices[c].p_world;
+      if (!std::isfinite(p_world.x + p_world.y + p_world.z)) {
+        return document_.source.refuse(
+            place, fmt::format("vertex {} is not finite in the world", placed.corners[c]));
       }
-      std::array<glm::vec3, 3> p_world;
-      for (std::size_t c = 0; c < 3; ++c) {
-        p_world[c] = glm::vec3(transform.positions * glm::dvec4(mesh.positions[corners[c]], 1.0));
-        if (!std::isfinite(p_world[c].x + p_world[c].y + p_world[c].z)) {
-          return document_.source.refuse(
-              fmt::format("meshes[{}].primitives[{}]", mesh_index, primitive_index),
-              fmt::format("vertex {} is not finite in the world", corners[c]));
-        }
-      }
-      addTriangle(mesh, transform, corners, p_world, group.vertices);
     }
     return {};
   }
 
-  void addTriangle(const MeshTriangles& mesh, const MeshTransform& transform,
-                   const std::array<std::uint32_t, 3>& corners, const std::array<glm::vec3, 3>& p_world,
-                   std::vector<Vertex>& out) {
-    const glm::dvec3 edge1 = glm::dvec3(p_world[1]) - glm::dvec3(p_world[0]);
-    const glm::dvec3 edge2 = glm::dvec3(p_world[2]) - glm::dvec3(p_world[0]);
-    const glm::dvec3 cross = glm::cross(edge1, edge2);
-    // Below this sine of the angle between its edges a triangle is rounding of its corners.
-    constexpr double kSmallestSine = 1e-9;
-    const double area = glm::length(cross);
-    if (!(area > kSmallestSine * glm::length(edge1) * glm::length(edge2))) {
-      ++document_.tally.degenerate_triangles;
-      return;
+  Expected<void> addTriangles(const MeshTriangles& mesh, const MeshTransform& transform,
+                              const std::string& place) {
+    if (mesh.triangles.empty()) {
+      return {};
     }
-    const glm::dvec3 face_normal = cross / area;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t corner = corners[c];
-      Vertex vertex{};
-      vertex.p_world = p_world[c];
-      vertex.face_normal_world = glm::vec3(face_normal);
-      vertex.normal_world = mesh.normals.empty()
-                                ? vertex.face_normal_world
-                                : unitOr(transform.normals * glm::dvec3(mesh.normals[corner]), face_normal,
-                                         &document_.tally.mended_normals);
-      vertex.tangent_world = glm::vec4(1.0F, 0.0F, 0.0F, 1.0F);
-      if (!mesh.tangents.empty()) {
-        const glm::vec4& tangent = mesh.tangents[corner];
-        const double side = (tangent.w < 0.0F ? -1.0 : 1.0) * transform.handedness;
-        vertex.tangent_world = glm::vec4(
-            unitOr(transform.directions * glm::dvec3(tangent), edge1 / glm::length(edge1), nullptr), side);
+    std::vector<Vertex>& out = groups_[groupOf(mesh.material_index)].vertices;
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+      std::size_t mended_normals = 0;
+      const PlacedTriangle placed = placeTriangle(mesh, i, transform, mended_normals);
+      if (auto finite = checkFinite(placed, place); !finite) {
+        return finite;
       }
-      vertex.uv = mesh.uvs.empty() ? glm::vec2(0.0F) : mesh.uvs[corner];
-      vertex.material_index = static_cast<float>(mesh.material_index);
-      out.push_back(vertex);
+      if (!placed.has_area) {
+        ++document_.tally.degenerate_triangles;
+        continue;
+      }
+      document_.tally.mended_normals += mended_normals;
+      out.insert(out.end(), placed.vertices.begin(), placed.vertices.end());
     }
+    return {};
+  }
+
+  // All of a moving mesh's triangles stay: one that has no area now may have some later.
+  Expected<void> addMoving(const std::shared_ptr<const MeshTriangles>& mesh, const MeshTransform& transform,
+                           int tree_node, const std::string& place) {
+    if (mesh->triangles.empty()) {
+      return {};
+    }
+    const std::size_t group = groupOf(mesh->material_index);
+    std::vector<Vertex>& out = groups_[group].vertices;
+    moving_.push_back({group, {tree_node, static_cast<std::uint32_t>(out.size()), mesh}});
+    for (std::size_t i = 0; i + 2 < mesh->triangles.size(); i += 3) {
+      const PlacedTriangle placed = placeTriangle(*mesh, i, transform, document_.tally.mended_normals);
+      if (auto finite = checkFinite(placed, place); !finite) {
+        return finite;
+      }
+      out.insert(out.end(), placed.vertices.begin(), placed.vertices.end());
+    }
+    return {};
   }
 
   GltfDocument& document_;
   const GltfMaterials& materials_;
-  std::map<std::pair<int, int>, MeshTriangles> primitives_;
+  std::map<std::pair<int, int>, std::shared_ptr<const MeshTriangles>> primitives_;
   std::map<TextureSet, std::size_t> group_indices_;
   std::vector<Group> groups_;
+  std::vector<MovingRun> moving_;
   std::size_t vertex_count_ = 0;
   std::size_t read_count_ = 0;
 };
@@ -193,19 +180,24 @@ class GeometryBuilder {
 }  // namespace
 
 Expected<void> buildGeometry(GltfDocument& document, const GltfMaterials& materials,
-                             std::span<const PlacedNode> nodes, Scene& scene) {
+                             std::span<const PlacedNode> nodes, Scene& scene,
+                             std::vector<MovingMesh>& moving) {
   GeometryBuilder builder(document, materials);
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = document.model->nodes[static_cast<std::size_t>(placed.node)];
     if (node.mesh < 0) {
       continue;
     }
-    document.tally.skinned_nodes += node.skin >= 0 ? 1U : 0U;
-    if (auto added = builder.addMesh(node.mesh, placed.world_from_node); !added) {
+    PlacedNode mesh_node = placed;
+    if (node.skin >= 0) {
+      ++document.tally.skinned_nodes;
+      mesh_node.tree_node = -1;  // its joints move it, not its node
+    }
+    if (auto added = builder.addMesh(node.mesh, mesh_node); !added) {
       return added;
     }
   }
-  return builder.finish(scene);
+  return builder.finish(scene, moving);
 }
 
 }  // namespace ssrkit

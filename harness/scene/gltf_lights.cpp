@@ -34,20 +34,16 @@ glm::vec3 intensityOf(const tinygltf::Light& light) {
   return colour * static_cast<float>(std::clamp(light.intensity, 0.0, kMaxIntensity));
 }
 
-glm::dvec3 directionOf(const glm::dmat4& world_from_node) {
-  const glm::dvec3 ahead = -glm::dvec3(world_from_node[2]);
-  const double length = glm::length(ahead);
-  return length > 0.0 ? ahead / length : glm::dvec3(0.0, -1.0, 0.0);
-}
-
-void addLight(const tinygltf::Light& from, const glm::dmat4& world_from_node, Scene& scene) {
+void addLight(const tinygltf::Light& from, const PlacedNode& placed, Scene& scene) {
   if (from.type == "directional") {
-    scene.directional_lights.push_back({directionOf(world_from_node), intensityOf(from)});
+    scene.directional_lights.push_back(
+        {aheadOf(placed.world_from_node), intensityOf(from), placed.tree_node});
     return;
   }
   PointLight light;
-  light.p_world = glm::dvec3(world_from_node[3]);
-  light.direction_world = directionOf(world_from_node);
+  light.p_world = glm::dvec3(placed.world_from_node[3]);
+  light.direction_world = aheadOf(placed.world_from_node);
+  light.tree_node = placed.tree_node;
   light.intensity = intensityOf(from);
   light.range_m = static_cast<float>(std::clamp(from.range, 0.0, 1e12));
   if (from.type == "spot") {
@@ -102,7 +98,7 @@ void buildLights(const GltfDocument& document, std::span<const PlacedNode> nodes
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = document.model->nodes[static_cast<std::size_t>(placed.node)];
     if (const tinygltf::Light* light = lightOf(*document.model, node)) {
-      addLight(*light, placed.world_from_node, scene);
+      addLight(*light, placed, scene);
     }
   }
   dimToImage(scene);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "scene/clean_name.h"
@@ -13,34 +11,28 @@ namespace ssrkit {
 
 namespace {
 
-glm::dmat4 transformOf(const tinygltf::Node& node) {
-  glm::dmat4 matrix(1.0);
-  if (node.matrix.size() == 16) {
+SceneNode sceneNode(const tinygltf::Node& from, int file_node, int parent) {
+  SceneNode node;
+  node.file_node = file_node;
+  node.parent = parent;
+  if (from.matrix.size() == 16) {
+    glm::dmat4& matrix = node.matrix.emplace(1.0);
     for (int i = 0; i < 16; ++i) {
-      matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+      matrix[i / 4][i % 4] = from.matrix[static_cast<std::size_t>(i)];
     }
-    return matrix;
+    return node;
   }
-  if (node.translation.size() == 3) {
-    matrix = glm::translate(matrix, {node.translation[0], node.translation[1], node.translation[2]});
+  if (from.translation.size() == 3) {
+    node.translation = {from.translation[0], from.translation[1], from.translation[2]};
   }
-  if (node.rotation.size() == 4) {
-    const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-    matrix *= glm::dot(rotation, rotation) > 0.0 ? glm::mat4_cast(glm::normalize(rotation)) : glm::dmat4(1.0);
+  if (from.rotation.size() == 4) {
+    const glm::dquat rotation(from.rotation[3], from.rotation[0], from.rotation[1], from.rotation[2]);
+    node.rotation = glm::dot(rotation, rotation) > 0.0 ? glm::normalize(rotation) : node.rotation;
   }
-  if (node.scale.size() == 3) {
-    matrix = glm::scale(matrix, {node.scale[0], node.scale[1], node.scale[2]});
+  if (from.scale.size() == 3) {
+    node.scale = {from.scale[0], from.scale[1], from.scale[2]};
   }
-  return matrix;
-}
-
-bool isFinite(const glm::dmat4& matrix) {
-  for (int i = 0; i < 16; ++i) {
-    if (!std::isfinite(matrix[i / 4][i % 4])) {
-      return false;
-    }
-  }
-  return true;
+  return node;
 }
 
 std::string placeOf(const tinygltf::Model& model, std::size_t node) {
@@ -122,7 +114,7 @@ Expected<std::vector<int>> rootsOf(GltfDocument& document, const std::vector<int
 
 }  // namespace
 
-Expected<std::vector<PlacedNode>> placeNodes(GltfDocument& document) {
+Expected<NodeTree> readNodes(GltfDocument& document) {
   const auto parents = parentsOf(document);
   if (!parents) {
     return tl::make_unexpected(parents.error());
@@ -135,24 +127,38 @@ Expected<std::vector<PlacedNode>> placeNodes(GltfDocument& document) {
     return tl::make_unexpected(roots.error());
   }
   const tinygltf::Model& model = *document.model;
-  std::vector<PlacedNode> open;
+  struct Open {
+    int file_node;
+    int parent;
+  };
+  std::vector<Open> open;
   for (auto root = roots->rbegin(); root != roots->rend(); ++root) {
-    open.push_back({*root, glm::dmat4(1.0)});
+    open.push_back({*root, -1});
+  }
+  NodeTree tree{.source = document.source, .nodes = {}, .places = {}, .channels = {}};
+  while (!open.empty()) {
+    const Open current = open.back();
+    open.pop_back();
+    const auto file_node = static_cast<std::size_t>(current.file_node);
+    const auto tree_node = static_cast<int>(tree.nodes.size());
+    tree.nodes.push_back(sceneNode(model.nodes[file_node], current.file_node, current.parent));
+    tree.places.push_back(placeOf(model, file_node));
+    const std::vector<int>& children = model.nodes[file_node].children;
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+      open.push_back({*child, tree_node});
+    }
+  }
+  return tree;
+}
+
+Expected<std::vector<PlacedNode>> placeNodes(const NodeTree& tree, double time_s) {
+  const auto places = worldFromNodes(tree, time_s);
+  if (!places) {
+    return tl::make_unexpected(places.error());
   }
   std::vector<PlacedNode> placed;
-  while (!open.empty()) {
-    PlacedNode current = open.back();
-    open.pop_back();
-    const auto node = static_cast<std::size_t>(current.node);
-    current.world_from_node *= transformOf(model.nodes[node]);
-    if (!isFinite(current.world_from_node)) {
-      return document.source.refuse(placeOf(model, node), "its transform is not finite");
-    }
-    placed.push_back(current);
-    const std::vector<int>& children = model.nodes[node].children;
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-      open.push_back({*child, current.world_from_node});
-    }
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    placed.push_back({tree.nodes[i].file_node, tree.nodes[i].moves ? static_cast<int>(i) : -1, (*places)[i]});
   }
   return placed;
 }

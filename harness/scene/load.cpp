@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <new>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "scene/defaults.h"
+#include "scene/gltf_animations.h"
 #include "scene/gltf_cameras.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_geometry.h"
@@ -15,6 +17,7 @@
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
 #include "scene/mirrors.h"
+#include "scene/motion.h"
 
 namespace ssrkit {
 
@@ -23,7 +26,16 @@ namespace {
 Expected<Scene> buildScene(GltfDocument& document, const std::string& camera_name,
                            const std::string& mirror_material) {
   Scene scene;
-  const auto nodes = placeNodes(document);
+  SceneMotion motion;
+  auto tree = readNodes(document);
+  if (!tree) {
+    return tl::make_unexpected(tree.error());
+  }
+  motion.tree = *std::move(tree);
+  if (auto animated = readAnimations(document, motion.tree); !animated) {
+    return tl::make_unexpected(animated.error());
+  }
+  const auto nodes = placeNodes(motion.tree, 0.0);
   if (!nodes) {
     return tl::make_unexpected(nodes.error());
   }
@@ -31,7 +43,7 @@ Expected<Scene> buildScene(GltfDocument& document, const std::string& camera_nam
   if (!materials) {
     return tl::make_unexpected(materials.error());
   }
-  if (auto built = buildGeometry(document, *materials, *nodes, scene); !built) {
+  if (auto built = buildGeometry(document, *materials, *nodes, scene, motion.meshes); !built) {
     return tl::make_unexpected(built.error());
   }
   scene.materials = std::move(materials->materials);
@@ -42,6 +54,9 @@ Expected<Scene> buildScene(GltfDocument& document, const std::string& camera_nam
   buildLights(document, *nodes, scene);
   if (auto chosen = chooseMirrors(document.source, mirror_material, scene); !chosen) {
     return tl::make_unexpected(chosen.error());
+  }
+  if (!motion.tree.channels.empty()) {
+    scene.motion = std::make_shared<const SceneMotion>(std::move(motion));
   }
   scene.notes.insert(scene.notes.begin(), document.notes.begin(), document.notes.end());
   for (std::string& note : notesOf(document.tally)) {

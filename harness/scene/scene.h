@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,9 @@ struct Vertex {
   glm::vec2 uv;
   glm::vec3 face_normal_world;  // unit, geometric, by the triangle's winding (counter-clockwise is outside)
   float material_index;         // row of Scene::materials
+  glm::vec3 p_previous_world;   // of the same point in the previous frame
 };
-static_assert(sizeof(Vertex) == 16 * sizeof(float));
+static_assert(sizeof(Vertex) == 19 * sizeof(float));
 
 enum class Wrap { kRepeat, kClamp, kMirror };
 
@@ -58,6 +60,7 @@ struct Material {
 struct DirectionalLight {
   glm::dvec3 direction_world{0.0, -1.0, 0.0};  // the way the light travels, unit
   glm::vec3 radiance{1.0F};                    // colour times intensity
+  int tree_node = -1;                          // of the scene's motion, -1: it stands still
 };
 
 struct PointLight {  // point and spot lights of KHR_lights_punctual
@@ -67,15 +70,19 @@ struct PointLight {  // point and spot lights of KHR_lights_punctual
   float range_m = 0.0F;  // 0: unlimited
   float inner_cone_cos = 1.0F;
   float outer_cone_cos = -1.0F;  // -1: a point light
+  int tree_node = -1;            // of the scene's motion, -1: it stands still
 };
 
 struct SceneCamera {
   std::string name;
   glm::dmat4 view_from_world{1.0};
+  glm::dmat4 previous_view_from_world{1.0};  // of the previous frame
   double fov_y_rad = 0.8;
   std::optional<double> aspect;  // as authored; rendering uses the image's own aspect ratio
   double near_m = 0.1;
   double far_m = 1000.0;
+  bool far_follows_scene = false;  // the file says none, so far_m depends on the pose
+  int tree_node = -1;              // of the scene's motion, -1: it stands still
 };
 
 // The triangles that share one set of textures, in one run of vertices.
@@ -84,6 +91,8 @@ struct DrawRange {
   std::uint32_t vertex_count = 0;
   int material_index = 0;
 };
+
+struct SceneMotion;  // scene/motion.h
 
 struct Scene {
   std::string name;
@@ -96,7 +105,8 @@ struct Scene {
   std::vector<SceneCamera> cameras;            // never empty: a camera is framed when the file has none
   glm::vec3 sky_horizon{0.55F, 0.65F, 0.75F};  // linear colours of the background gradient
   glm::vec3 sky_zenith{0.18F, 0.30F, 0.55F};
-  std::vector<std::string> notes;  // what was defaulted or left out, one sentence each, shown once
+  std::shared_ptr<const SceneMotion> motion;  // null: nothing moves
+  std::vector<std::string> notes;             // what was defaulted or left out, one sentence each, shown once
 };
 
 // The camera for an image of `size`: the projection takes the image's aspect ratio and the camera's vertical

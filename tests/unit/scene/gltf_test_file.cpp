@@ -84,6 +84,18 @@ void setPositions(json& root, const std::vector<float>& positions) {
       addAccessor(root, bytesOf(positions), kFloat, static_cast<int>(positions.size() / 3), "VEC3");
 }
 
+void animate(json& root, int node, const std::string& path, const std::string& interpolation,
+             const std::vector<float>& times, const std::vector<float>& values) {
+  const bool is_rotation = path == "rotation";
+  const std::size_t components = is_rotation ? 4 : 3;
+  const int input = addAccessor(root, bytesOf(times), kFloat, static_cast<int>(times.size()), "SCALAR");
+  const int output = addAccessor(root, bytesOf(values), kFloat, static_cast<int>(values.size() / components),
+                                 is_rotation ? "VEC4" : "VEC3");
+  root["animations"].push_back(
+      {{"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}});
+}
+
 Expected<Scene> loadFile(const json& root, const SceneOptions& options) {
   const ScratchFolder folder;
   return loadScene(folder.write("a.gltf", root.dump()), options);
