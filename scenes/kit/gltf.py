@@ -92,7 +92,7 @@ class Gltf:
         return self._append("textures", {"source": image, "sampler": sampler})
 
     def material(self, name, colour=(255, 255, 255), metallic=0, roughness=0.8, texture=None, normal=None,
-                 normal_scale=1, emissive=None, double_sided=False):
+                 normal_scale=1, emissive=None, double_sided=False, traced=False):
         pbr = {"baseColorFactor": linear(colour) + [1], "metallicFactor": metallic, "roughnessFactor": roughness}
         if texture is not None:
             pbr["baseColorTexture"] = {"index": texture}
@@ -103,6 +103,8 @@ class Gltf:
             material["emissiveFactor"] = linear(emissive)
         if double_sided:
             material["doubleSided"] = True
+        if traced:
+            material["extras"] = {"ssrkit_mirror": True}
         return self._append("materials", material)
 
     def mirror(self, name, **more):

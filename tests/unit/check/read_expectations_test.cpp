@@ -215,7 +215,7 @@ TEST(LoadExpectations, FoldersAreReadInOrderAndIdsAreUnique) {
 TEST(LoadExpectations, TheBuiltInFilesAreAllGood) {
   const std::filesystem::path folder = std::filesystem::path(SSRKIT_SOURCE_DIR) / "tests" / "expect";
   const KnownNames known{
-      {"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "outdoor", "thin"},
+      {"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "gloss", "outdoor", "thin"},
       {"gl-osmesa", "vk-lavapipe"},
       {"naive", "refined", "dda", "hiz", "walk"}};
   const auto tests = loadExpectations(folder, known);
