@@ -28,7 +28,8 @@ struct Truth {
 struct TestCase {
   std::string name;  // empty for the only case of a test without [[case]]
   std::vector<std::pair<std::string, std::string>>
-      parameters;  // setParameter's names and values, over the scene's
+      parameters;         // setParameter's names and values, over the scene's
+  std::string technique;  // what makes a picture of each trace; empty: the run's own, or none
 };
 
 struct Expectation {
@@ -61,6 +62,7 @@ struct TestFile {
   std::vector<std::string> devices;  // empty: the run's
   std::vector<std::string> stages;
   std::vector<std::string> tags;
+  std::string frame = "basic";  // the kind of frame that is drawn
   std::string input;  // the device whose G-buffer every device is given; empty: each renders its own
   int rounds = 0;     // interleaved timing rounds; 0: nothing is timed
   std::vector<TestCase> cases;  // never empty

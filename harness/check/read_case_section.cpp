@@ -24,10 +24,10 @@ std::string parameterValueText(const TomlValue& value) {
 
 }  // namespace
 
-Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test,
+Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test, const KnownNames& known,
                                    const std::string& attempted) {
   FieldReader fields(table, "[[case]]", test.file, attempted);
-  std::vector<std::string> keys = {"name"};
+  std::vector<std::string> keys = {"name", "technique"};
   keys.insert(keys.end(), parameterNames().begin(), parameterNames().end());
   fields.allowOnly(keys);
   TestCase test_case;
@@ -36,12 +36,16 @@ Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test,
   if (std::ranges::find(test.cases, test_case.name, &TestCase::name) != test.cases.end()) {
     fields.complain("name", fmt::format("two cases are named '{}'", test_case.name), "rename one of them");
   }
+  test_case.technique = fields.optionalText("technique").value_or("");
+  if (!test_case.technique.empty() && !known.techniques.empty()) {
+    fields.requireKnown("technique", test_case.technique, "technique", known.techniques);
+  }
   TraceParameters scratch;
   for (const TomlEntry& entry : table.entries) {
     if (!fields.ok()) {
       break;
     }
-    if (entry.key == "name") {
+    if (entry.key == "name" || entry.key == "technique") {
       continue;
     }
     using enum TomlValue::Kind;

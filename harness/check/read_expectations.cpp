@@ -16,8 +16,8 @@ namespace ssrkit {
 namespace {
 
 const std::vector<std::string> kTopKeys = {"test", "case", "expect"};
-const std::vector<std::string> kTestKeys = {"id",      "about",  "scenes", "camera", "sizes",
-                                            "devices", "stages", "tags",   "input",  "rounds"};
+const std::vector<std::string> kTestKeys = {"id",     "about", "scenes", "camera", "sizes", "devices",
+                                            "stages", "tags",  "input",  "rounds", "frame"};
 
 Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, const std::string& attempted,
                                TestFile& test) {
@@ -32,6 +32,7 @@ Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, 
   test.stages = fields.optionalTexts("stages");
   test.tags = fields.optionalTexts("tags");
   test.input = fields.optionalText("input").value_or("");
+  test.frame = fields.optionalText("frame").value_or(test.frame);
   constexpr int kMostRounds = 1000;
   test.rounds = fields.integer("rounds", 1, kMostRounds).value_or(0);
   for (const std::string& text : fields.optionalTexts("sizes")) {
@@ -56,6 +57,7 @@ Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, 
   }
   require_all_known("devices", test.devices, "device", known.devices);
   require_all_known("stages", test.stages, "stage", known.stages);
+  require_all_known("frame", {test.frame}, "frame", known.frames);
   if (!test.input.empty() && !known.devices.empty()) {
     fields.requireKnown("input", test.input, "device", known.devices);
   }
@@ -76,13 +78,14 @@ Expected<void> requireSections(const TomlValue& document, std::string_view key, 
                     placeText(file, entry->key_place), fmt::format("write it as [[{}]]", key));
 }
 
-Expected<void> readCases(const TomlValue& document, const std::string& attempted, TestFile& test) {
+Expected<void> readCases(const TomlValue& document, const KnownNames& known, const std::string& attempted,
+                         TestFile& test) {
   if (auto sections = requireSections(document, "case", test.file, attempted); !sections) {
     return sections;
   }
   if (const TomlEntry* cases = document.find("case")) {
     for (const TomlValue& table : cases->value.elements) {
-      Expected<TestCase> test_case = readCaseSection(table, test, attempted);
+      Expected<TestCase> test_case = readCaseSection(table, test, known, attempted);
       if (!test_case) {
         return tl::make_unexpected(test_case.error());
       }
@@ -141,7 +144,7 @@ Expected<TestFile> readExpectations(std::string_view content, const std::string&
     return tl::make_unexpected(top.result().error());
   }
   const Expected<void> read = readTestSection(section->value, known, attempted, test)
-                                  .and_then([&] { return readCases(*document, attempted, test); })
+                                  .and_then([&] { return readCases(*document, known, attempted, test); })
                                   .and_then([&] { return readExpects(*document, known, attempted, test); });
   if (!read) {
     return tl::make_unexpected(read.error());

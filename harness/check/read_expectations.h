@@ -18,6 +18,8 @@ struct KnownNames {
   std::vector<std::string> scenes;
   std::vector<std::string> devices;
   std::vector<std::string> stages;
+  std::vector<std::string> frames;
+  std::vector<std::string> techniques;
 };
 
 // One file's content. `file` is the name that messages show.

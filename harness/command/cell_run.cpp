@@ -67,13 +67,17 @@ void addTruths(CellRun& cell) {
   }
   for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
     const TraceParameters& parameters = cell.result->traces[i].parameters;
+    // A technique may have given its tracer normals of its own.
+    const auto own_normal = cell.result->traces[i].images.find("normal_view");
+    const Image* const normals =
+        own_normal != cell.result->traces[i].images.end() ? &own_normal->second : &normal_view->second;
     auto truth = std::ranges::find_if(cell.truths, [&](const CellRun::Truth& known) {
-      return sameForOracle(known.input.parameters, parameters);
+      return known.input.normal_view == normals && sameForOracle(known.input.parameters, parameters);
     });
     if (truth == cell.truths.end()) {
       const OracleInput input{.camera = &cell.result->camera,
                               .dist_view = &dist_view->second,
-                              .normal_view = &normal_view->second,
+                              .normal_view = normals,
                               .mask = &cell.mask,
                               .parameters = parameters};
       auto result = traceOracle(input);
@@ -111,12 +115,13 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
       answer.oracle_input = &truth->input;
       answer.oracle = &truth->result;
     }
-    if (trace.composite) {
-      answer.images.emplace("composite", &*trace.composite);
-      answer.images.emplace("reflection", &*trace.reflection);
+    for (const auto& [name, image] : trace.images) {
+      answer.images.insert_or_assign(name, &image);
     }
-    for (const PassReport& report : trace.passes) {
-      answer.times.emplace(report.pass, samplesOf(report));
+    for (const auto& passes : {cell.result->frame_passes, trace.passes}) {
+      for (const PassReport& report : passes) {
+        answer.times.emplace(report.pass, samplesOf(report));
+      }
     }
     answers.push_back(std::move(answer));
   }

@@ -32,6 +32,11 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
   run->add_option("--scene", options.scenes,
                   "A built-in scene or a glTF 2.0 file (default: all built-in scenes)");
   run->add_option("--stage", options.stages, "naive, refined, dda, hiz, walk (default: the first four)");
+  run->add_option("--frame", options.frame,
+                  "basic: one light and the reflections; full: every pass of the kit (default: what the "
+                  "techniques need)");
+  run->add_option("--technique", options.techniques,
+                  "How a picture is made of the rays (default: the frame's own)");
   run->add_option("--device", options.devices,
                   "A device of `ssrkit devices` (default: gl-osmesa and vk-lavapipe)");
   run->add_option("--size", options.size, "WIDTHxHEIGHT in texels")->capture_default_str();

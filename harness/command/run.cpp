@@ -184,7 +184,6 @@ Expected<int> runCommand(const RunOptions& options) {
                               .mirror_material = options.mirror,
                               .replacements = request->replacements,
                               .limits = {},
-                              .want_images = true,
                               .always_oracle = true,
                               .command = fmt::format("{}", fmt::join(options.command, " ")),
                               .progress = [&](const std::string& text) { progress.show(text); }});

@@ -14,6 +14,8 @@ struct RunOptions {
   std::vector<std::string> scenes;  // built-in names or files; empty: all built-in scenes
   std::vector<std::string> stages{"naive", "refined", "dda", "hiz"};
   std::vector<std::string> devices{"gl-osmesa", "vk-lavapipe"};
+  std::string frame;                    // a row of frame/frames.h; empty: what the techniques need
+  std::vector<std::string> techniques;  // rows of frame/techniques.h; empty: the frame's own
   std::string size = "640x360";
   std::vector<std::string> parameters;  // "thickness_m=0.3"
   std::filesystem::path out = "out/run";

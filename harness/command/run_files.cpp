@@ -10,6 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "command/parameters_file.h"
+#include "frame/frame_images.h"
 #include "image/colour_map.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -21,9 +22,6 @@ namespace ssrkit {
 namespace {
 
 using Write = std::function<Expected<void>()>;
-
-constexpr const char* kColourImages[] = {"albedo",   "normal_view", "material",
-                                         "emission", "dist_view",   "depth_window"};
 
 // Runs the writes on all cores; the first error is the answer, and no further write is started after it.
 Expected<void> writeAll(const std::vector<Write>& writes) {
@@ -53,13 +51,18 @@ Expected<void> writeAll(const std::vector<Write>& writes) {
   return failure ? Expected<void>(tl::make_unexpected(std::move(*failure))) : Expected<void>{};
 }
 
+const Image* imageOf(const TraceResult& trace, const std::string& name) {
+  const auto found = trace.images.find(name);
+  return found == trace.images.end() ? nullptr : &found->second;
+}
+
 // The composite, with the reflection as a layer of its own.
-Image colourFile(const TraceResult& trace) {
-  Image colour(trace.composite->size,
+Image colourFile(const Image& composite, const Image& reflection) {
+  Image colour(composite.size,
                {"R", "G", "B", "reflection.R", "reflection.G", "reflection.B", "reflection.A"});
   for (std::size_t texel = 0; texel < colour.texelCount(); ++texel) {
-    std::copy_n(trace.composite->data.data() + 3 * texel, 3, colour.data.data() + 7 * texel);
-    std::copy_n(trace.reflection->data.data() + 4 * texel, 4, colour.data.data() + 7 * texel + 3);
+    std::copy_n(composite.data.data() + 3 * texel, 3, colour.data.data() + 7 * texel);
+    std::copy_n(reflection.data.data() + 4 * texel, 4, colour.data.data() + 7 * texel + 3);
   }
   return colour;
 }
@@ -99,14 +102,16 @@ Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell
                      .stages = {}};
   for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
     const TraceResult& trace = cell.result->traces[i];
-    SheetStage stage{.stage = trace.stage,
+    const std::string& technique = cell.case_of_trace[i];
+    SheetStage stage{.stage = technique.empty() ? trace.stage : trace.stage + " " + technique,
                      .record = &trace.record,
                      .summary = &summaries[i],
-                     .composite = trace.composite ? &*trace.composite : nullptr,
+                     .composite = imageOf(trace, "composite"),
                      .verdicts = verdicts[i],
                      .cpu_ms = std::nullopt};
     const auto row = std::ranges::find_if(rows, [&](const RunRow& candidate) {
-      return candidate.device == cell.device && candidate.stage == trace.stage;
+      return candidate.device == cell.device && candidate.stage == trace.stage &&
+             candidate.case_name == technique;
     });
     if (row != rows.end()) {
       if (const auto cost = traceCost(row->passes)) {
@@ -119,6 +124,23 @@ Expected<void> writeSheet(const std::filesystem::path& file, const CellRun& cell
   return writeContactSheet(file, sheet, *painter);
 }
 
+void addTraceWrites(const std::filesystem::path& folder, const TraceResult& trace,
+                    std::vector<Write>& writes) {
+  writes.push_back([=, &trace] { return writeExr(folder / "hit.exr", toImage(trace.record)); });
+  const Image* const composite = imageOf(trace, "composite");
+  const Image* const reflection = imageOf(trace, "reflection");
+  if (composite != nullptr && reflection != nullptr) {
+    writes.push_back([=] { return writeExr(folder / "color.exr", colourFile(*composite, *reflection)); });
+    writes.push_back([=] { return writePng(folder / "composite.png", toneMap(*composite)); });
+  }
+  for (const auto& [name, image] : trace.images) {
+    if (&image != composite && &image != reflection) {
+      writes.push_back(
+          [file = folder / (name + ".exr"), &picture = image] { return writeExr(file, picture); });
+    }
+  }
+}
+
 void addCellWrites(const std::filesystem::path& folder, const CellRun& cell, const SceneRun& run,
                    const std::vector<RunRow>& rows, std::vector<Write>& writes) {
   const JobResult& result = *cell.result;
@@ -126,24 +148,15 @@ void addCellWrites(const std::filesystem::path& folder, const CellRun& cell, con
   writes.push_back([=, &cell, &run, &rows] {
     return writeSheet(device_folder / "contact_sheet.png", cell, run.source->name, rows);
   });
-  for (const char* name : kColourImages) {
-    if (const auto image = result.images.find(name); image != result.images.end()) {
-      writes.push_back([=, &picture = image->second] {
-        return writeExr(device_folder / "gbuffer" / (std::string(name) + ".exr"), picture);
-      });
-    }
+  for (const auto& [name, image] : result.images) {
+    writes.push_back([file = device_folder / frameImageRow(name).folder / (name + ".exr"), &picture = image] {
+      return writeExr(file, picture);
+    });
   }
-  writes.push_back([=, &lit = result.images.at("lit")] { return writeExr(device_folder / "lit.exr", lit); });
   writes.push_back(
       [=, &lit = result.images.at("lit")] { return writePng(device_folder / "lit.png", toneMap(lit)); });
-  for (const TraceResult& trace : result.traces) {
-    const std::filesystem::path stage_folder = device_folder / trace.stage;
-    writes.push_back([=, &trace] { return writeExr(stage_folder / "hit.exr", toImage(trace.record)); });
-    if (trace.composite) {
-      writes.push_back([=, &trace] { return writeExr(stage_folder / "color.exr", colourFile(trace)); });
-      writes.push_back(
-          [=, &trace] { return writePng(stage_folder / "composite.png", toneMap(*trace.composite)); });
-    }
+  for (std::size_t i = 0; i < result.traces.size(); ++i) {
+    addTraceWrites(device_folder / result.traces[i].stage / cell.case_of_trace[i], result.traces[i], writes);
   }
 }
 

@@ -10,7 +10,9 @@
 #include "base/check.h"
 #include "check/read_expectations.h"
 #include "command/parameters_file.h"
+#include "frame/frames.h"
 #include "frame/stages.h"
+#include "frame/techniques.h"
 #include "scene/find_scene.h"
 
 namespace ssrkit {
@@ -68,6 +70,41 @@ Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitP
   return list;
 }
 
+// Chooses the frame and makes one case of each technique.
+Expected<void> chooseTechniques(const RunOptions& options, TestFile& test) {
+  std::string frame = options.frame;
+  for (const std::string& name : withoutRepeats(options.techniques)) {
+    const auto technique = findTechnique(name);
+    if (!technique) {
+      return tl::make_unexpected(technique.error());
+    }
+    const std::string& needed = (*technique)->frame;
+    if (!needed.empty() && !frame.empty() && frame != needed) {
+      return inputError("run", fmt::format("the technique '{}' needs the frame '{}'", name, needed),
+                        "--technique", fmt::format("it was asked for with the frame '{}'", frame));
+    }
+    frame = needed.empty() ? frame : needed;
+    TestCase test_case = test.cases.front();
+    test_case.name = name;
+    test_case.technique = name;
+    test.cases.push_back(std::move(test_case));
+  }
+  const auto kind = findFrameKind(frame.empty() ? "basic" : frame);
+  if (!kind) {
+    return tl::make_unexpected(kind.error());
+  }
+  test.frame = (*kind)->name;
+  if (options.techniques.empty()) {
+    test.cases.front().technique = (*kind)->technique;
+    return {};
+  }
+  test.cases.erase(test.cases.begin());
+  for (Expectation& expectation : test.expectations) {
+    expectation.cases = withoutRepeats(options.techniques);
+  }
+  return {};
+}
+
 Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths) {
   auto files = loadExpectations(paths.expectations / "standard.toml");
   if (!files) {
@@ -94,6 +131,9 @@ Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths
       return tl::make_unexpected(set.error());
     }
     test.cases.front().parameters.emplace_back(name, value);
+  }
+  if (const auto chosen = chooseTechniques(options, test); !chosen) {
+    return tl::make_unexpected(chosen.error());
   }
   return test;
 }

@@ -80,6 +80,7 @@ Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) co
   job.camera_name = test.camera.empty() ? source.camera_name : test.camera;
   job.mirror_material = options_.mirror_material;
   job.size = size;
+  job.frame = test.frame;
   job.timing.rounds = test.rounds;
   job.replacements = options_.replacements;
   job.shader_root = options_.shader_root;
@@ -90,7 +91,7 @@ Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) co
       SSRKIT_CHECK(setParameter(parameters, name, value, test.file).has_value());
     }
     for (const std::string& stage : test.stages) {
-      job.traces.push_back({.stage = stage, .parameters = parameters, .want_color = options_.want_images});
+      job.traces.push_back({.stage = stage, .parameters = parameters, .technique = test_case.technique});
     }
   }
   if (source.gbuffer != nullptr) {

@@ -46,7 +46,6 @@ struct SuiteOptions {
   std::string mirror_material;
   std::vector<ShaderReplacement> replacements;
   JobLimits limits;
-  bool want_images = false;  // colour and G-buffer for files and pictures
   bool always_oracle = false;
   std::string command;  // what the user typed, for the rerun line
   std::function<void(const std::string&)> progress;

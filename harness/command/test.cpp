@@ -16,7 +16,9 @@
 #include "command/progress_line.h"
 #include "command/suite.h"
 #include "command/unit_tests.h"
+#include "frame/frames.h"
 #include "frame/stages.h"
+#include "frame/techniques.h"
 #include "report/results_json.h"
 #include "scene/find_scene.h"
 
@@ -27,12 +29,18 @@ namespace {
 constexpr const char* kStandard = "standard";  // applies to every `run`; by itself it has nothing to run on
 
 Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, const KitPaths& paths) {
-  KnownNames known{.scenes = builtInScenes(paths.scenes), .devices = {}, .stages = {}};
+  KnownNames known{.scenes = builtInScenes(paths.scenes)};
   for (const DeviceEntry& entry : deviceEntries()) {
     known.devices.push_back(entry.id);
   }
   for (const Stage& stage : stages()) {
     known.stages.push_back(stage.name);
+  }
+  for (const FrameKind& kind : frameKinds()) {
+    known.frames.push_back(kind.name);
+  }
+  for (const Technique& technique : techniques()) {
+    known.techniques.push_back(technique.name);
   }
   auto files = loadExpectations(paths.expectations, known);
   if (files) {
@@ -76,7 +84,6 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
                               .mirror_material = "",
                               .replacements = {},
                               .limits = {},
-                              .want_images = false,
                               .always_oracle = false,
                               .command = "",
                               .progress = [&](const std::string& text) { progress.show(text); }});

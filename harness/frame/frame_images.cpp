@@ -1,5 +1,7 @@
 #include "frame/frame_images.h"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "base/check.h"
@@ -12,41 +14,98 @@ constexpr double kBackground = std::numeric_limits<double>::infinity();
 constexpr std::size_t kGbufferCount = 5;
 
 const std::vector<FrameImageRow>& table() {
+  using enum Format;
+  const std::vector<std::string> rgb = {"R", "G", "B"};
+  const std::vector<std::string> rgba = {"R", "G", "B", "A"};
   static const std::vector<FrameImageRow> rows = {
-      {"albedo", Format::kRgba16f, {"R", "G", "B"}, {0, 0, 0, 1}, {0.8F, 0.8F, 0.8F, 1}},
-      {"normal_view", Format::kRgba32f, {"R", "G", "B", "A"}, {0, 0, 0, 1}, {0, 0, 1, 1}},
-      {"material", Format::kRgba16f, {"R", "G", "B"}, {0, 1, 0, 1}, {1, 0, 1, 1}},
-      {"emission", Format::kRgba16f, {"R", "G", "B"}, {0, 0, 0, 1}, {0, 0, 0, 1}},
-      {"dist_view", Format::kR32f, {"Z"}, {kBackground, 0, 0, 0}, {}},
-      {"depth_window", Format::kD32f, {"Z"}, {1, 0, 0, 0}, {}},
-      {"lit", Format::kRgba16f, {"R", "G", "B"}, {}, {}},
-      {"hit_texel", Format::kRg16i, {}, {}, {}},
-      {"hit_point", Format::kRgba32f, {}, {}, {}},
-      {"ray_work", Format::kRgba16ui, {}, {}, {}},
-      {"reflection", Format::kRgba16f, {"R", "G", "B", "A"}, {}, {}},
-      {"composite", Format::kRgba16f, {"R", "G", "B"}, {}, {}},
+      // What gbuffer.frag writes, in the order of its outputs.
+      {.name = "albedo",
+       .format = kRgba16f,
+       .channels = rgb,
+       .folder = "gbuffer",
+       .clear = {0, 0, 0, 1},
+       .upload_default = {0.8F, 0.8F, 0.8F, 1}},
+      {.name = "normal_view",
+       .format = kRgba32f,
+       .channels = rgba,
+       .folder = "gbuffer",
+       .clear = {0, 0, 0, 1},
+       .upload_default = {0, 0, 1, 1}},
+      {.name = "material",
+       .format = kRgba16f,
+       .channels = rgb,
+       .folder = "gbuffer",
+       .clear = {0, 1, 0, 1},
+       .upload_default = {1, 0, 1, 1}},
+      {.name = "emission",
+       .format = kRgba16f,
+       .channels = rgb,
+       .folder = "gbuffer",
+       .clear = {0, 0, 0, 1},
+       .upload_default = {0, 0, 0, 1}},
+      {.name = "dist_view",
+       .format = kR32f,
+       .channels = {"Z"},
+       .folder = "gbuffer",
+       .clear = {kBackground, 0, 0, 0}},
+      {.name = "depth_window",
+       .format = kD32f,
+       .channels = {"Z"},
+       .folder = "gbuffer",
+       .clear = {1, 0, 0, 0}},
+      // The frame's.
+      {.name = "lit", .format = kRgba16f, .channels = rgb, .folder = "."},
+      // A trace's.
+      {.name = "hit_texel", .format = kRg16i},
+      {.name = "hit_point", .format = kRgba32f},
+      {.name = "ray_work", .format = kRgba16ui},
+      // A technique's.
+      {.name = "reflection", .format = kRgba16f, .channels = rgba},
+      {.name = "composite", .format = kRgba16f, .channels = rgb},
   };
   return rows;
 }
 
+// Null for images of a size of their own, which have no row.
+const FrameImageRow* findImageRow(std::string_view name) {
+  const auto found = std::ranges::find(table(), name, &FrameImageRow::name);
+  return found == table().end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+std::span<const FrameImageRow> frameImages() {
+  return table();
+}
 
 std::span<const FrameImageRow> gbufferImages() {
   return std::span(table()).first(kGbufferCount);
 }
 
 const FrameImageRow& frameImageRow(std::string_view name) {
-  for (const FrameImageRow& row : table()) {
-    if (row.name == name) {
-      return row;
-    }
+  if (const FrameImageRow* row = findImageRow(name)) {
+    return *row;
   }
   checkFailed(__FILE__, __LINE__, "a frame image of this name exists", name);
 }
 
 Expected<DeviceImage*> FrameImages::get(const std::string& name) {
   const FrameImageRow& row = frameImageRow(name);
-  return getSized({.name = name, .format = row.format, .size = size_, .mip_count = 1});
+  const Size size{(size_.width + row.divisor - 1) / row.divisor,
+                  (size_.height + row.divisor - 1) / row.divisor};
+  const auto longer_side = static_cast<unsigned>(std::max(size.width, size.height));
+  return getSized({.name = name,
+                   .format = row.format,
+                   .size = size,
+                   .mip_count = row.has_mips ? static_cast<int>(std::bit_width(longer_side)) : 1});
+}
+
+SampledImage FrameImages::sampled(const std::string& name) const {
+  const DeviceImage* image = find(name);
+  const FrameImageRow* row = findImageRow(name);
+  return {.image = image,
+          .mip_count = image != nullptr ? image->desc().mip_count : 1,
+          .filter = row != nullptr ? row->filter : Filter::kNearest};
 }
 
 Expected<DeviceImage*> FrameImages::getSized(const ImageDesc& desc) {

@@ -1,9 +1,9 @@
 // The named images of a frame, as rows of data, and their device images at one size.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,11 +16,18 @@ namespace ssrkit {
 
 struct FrameImageRow {
   std::string name;
-  Format format;
-  std::vector<std::string> channels;  // of the EXR file; empty: never leaves the device as a file
+  Format format = Format::kRgba16f;
+  std::vector<std::string> channels = {};  // of the EXR file; empty: never leaves the device
+  std::string folder =
+      {};  // where in DIR/SCENE/DEVICE all traces' images are written; empty: one trace's image
   std::array<double, 4> clear{};
   std::array<float, 4> upload_default{};  // what a G-buffer made by others has where it lacks this image
+  int divisor = 1;                        // sides are the frame's over this, rounded up
+  bool has_mips = false;                  // the whole chain, down to one texel
+  Filter filter = Filter::kNearest;       // how passes sample it
 };
+
+[[nodiscard]] std::span<const FrameImageRow> frameImages();
 
 // The G-buffer's colour images in the order of gbuffer.frag's outputs.
 [[nodiscard]] std::span<const FrameImageRow> gbufferImages();
@@ -33,7 +40,7 @@ class FrameImages {
  public:
   FrameImages(Device& device, Size size) : device_(device), size_(size) {}
 
-  // A row's image, at the frame's size.
+  // A row's image, at the frame's size over the row's divisor.
   [[nodiscard]] Expected<DeviceImage*> get(const std::string& name);
 
   // An image of a size and format of its own (pyramids, textures), under a name of its own.
@@ -41,6 +48,9 @@ class FrameImages {
 
   // nullptr when it was never created.
   [[nodiscard]] DeviceImage* find(const std::string& name) const;
+
+  // The same with all of its mips and its row's filter, as passes sample it; no image when there is none.
+  [[nodiscard]] SampledImage sampled(const std::string& name) const;
 
   [[nodiscard]] Size size() const { return size_; }
   [[nodiscard]] std::vector<std::string> names() const;

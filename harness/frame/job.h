@@ -21,10 +21,11 @@ namespace ssrkit {
 struct TraceRequest {
   std::string stage;  // a row of frame/stages.h: "naive", "refined", "dda", "hiz", "walk"
   TraceParameters parameters;
-  bool want_color = true;  // resolve and composite too
+  std::string technique = "mirror";  // a row of frame/techniques.h; empty: the trace alone, no picture
 };
 
-// Times traces against each other: `rounds` interleaved runs of all of the job's traces after one warm-up.
+// Times passes against each other: `rounds` interleaved runs of the frame and all of the job's traces after
+// one warm-up.
 struct TimingRequest {
   int rounds = 0;  // 0: each pass is drawn once and its time is cold
 };
@@ -45,6 +46,7 @@ struct Job {
   std::map<std::string, Image> gbuffer;
   std::optional<Camera> gbuffer_camera;
   Size size;
+  std::string frame = "basic";  // a row of frame/frames.h
   std::vector<TraceRequest> traces;
   TimingRequest timing;
   std::vector<ShaderReplacement> replacements;
@@ -61,11 +63,13 @@ struct PassReport {
 
 struct TraceResult {
   std::string stage;
+  std::string technique;
   TraceParameters parameters;  // as used, with defaults filled in
   RayRecord record;
-  std::optional<Image> reflection;  // RGBA, a = 1 where the ray hit
-  std::optional<Image> composite;   // RGB, linear
-  std::vector<PassReport> passes;   // pyramid, trace, resolve, composite
+  // What the technique reads back: "reflection" (RGBA, a = 1 where the ray hit), "composite" (RGB, linear),
+  // ... and under a frame image's name ("normal_view") what the tracer read in its place.
+  std::map<std::string, Image> images;
+  std::vector<PassReport> passes;  // pyramid, trace, the technique's
 };
 
 struct JobResult {
@@ -73,7 +77,7 @@ struct JobResult {
   std::map<std::string, Image>
       images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
   std::vector<TraceResult> traces;
-  std::vector<PassReport> frame_passes;  // G-buffer, light
+  std::vector<PassReport> frame_passes;  // G-buffer and the passes of the frame's kind
   std::vector<std::string> notes;        // the scene's
   std::vector<std::string> messages;     // driver and validation; any one fails the job
 };

@@ -135,11 +135,7 @@ Expected<std::vector<SampledImage>> bindSamplers(const Program& program, const F
   std::vector<SampledImage> bound;
   for (const SamplerBinding& sampler : program.samplers) {
     const auto alias = aliases.find(sampler.name);
-    SampledImage sampled = alias != aliases.end() ? alias->second : SampledImage{};
-    if (sampled.image == nullptr) {
-      sampled.image = images.find(sampler.name);
-      sampled.mip_count = sampled.image != nullptr ? sampled.image->desc().mip_count : 1;
-    }
+    SampledImage sampled = alias != aliases.end() ? alias->second : images.sampled(sampler.name);
     if (sampled.image == nullptr) {
       return inputError("bind the shader's images", fmt::format("no image is called '{}'", sampler.name),
                         program.shader, "the frame has " + joinNames(images.names()));

@@ -8,7 +8,11 @@
 #include <vector>
 
 #include "base/text.h"
+#include "frame/frames.h"
+#include "frame/gbuffer_source.h"
+#include "frame/pyramid.h"
 #include "frame/stages.h"
+#include "frame/techniques.h"
 #include "frame/tracing.h"
 
 namespace ssrkit {
@@ -17,27 +21,40 @@ namespace {
 
 // Every pass, and a stage's name for its trace shaders.
 std::vector<std::string> replaceableNames() {
-  std::vector<std::string> names = {"gbuffer",        "light",   "pyramid_base",
-                                    "pyramid_reduce", "resolve", "composite"};
+  std::vector<std::string> names = {gbufferPass().name, pyramidBasePass().name, pyramidReducePass().name};
+  const auto add = [&names](const std::vector<FramePass>& passes) {
+    for (const FramePass& pass : passes) {
+      if (std::ranges::find(names, pass.name) == names.end()) {
+        names.push_back(pass.name);
+      }
+    }
+  };
+  for (const FrameKind& kind : frameKinds()) {
+    add(kind.passes);
+  }
+  for (const Technique& technique : techniques()) {
+    add(technique.before_trace);
+    add(technique.after_sample);
+    add(technique.after_trace);
+  }
   for (const Stage& stage : stages()) {
     names.push_back(stage.name);
-    names.push_back(traceStep(stage.shader).row.name);
-    names.push_back(traceStep(stage.tuned_shader).row.name);
+    add({tracePass(stage.shader), tracePass(stage.tuned_shader)});
   }
   return names;
 }
 
 // The pass that a job draws for a request's trace.
-std::string tracePass(const TraceRequest& request) {
+std::string tracePassName(const TraceRequest& request) {
   const auto stage = findStage(request.stage);
-  return stage ? traceStep(shaderOf(**stage, request.parameters)).row.name : "";
+  return stage ? tracePass(shaderOf(**stage, request.parameters)).name : "";
 }
 
 // A shader that takes no pass's place would leave its author with the kit's own results.
 Expected<void> checkIsDrawn(const std::string& pass, const Job& job) {
   std::vector<std::string> drawn;
   for (const TraceRequest& request : job.traces) {
-    drawn.push_back(tracePass(request));
+    drawn.push_back(tracePassName(request));
     if (pass == request.stage || pass == drawn.back()) {
       return {};
     }
@@ -69,8 +86,8 @@ Expected<CompileSettings> compileSettings(const Job& job) {
     const std::filesystem::path file = std::filesystem::absolute(replacement.file);
     settings.replacements[replacement.pass] = file;
     if (const auto stage = findStage(replacement.pass); stage) {
-      settings.replacements[traceStep((*stage)->shader).row.name] = file;
-      settings.replacements[traceStep((*stage)->tuned_shader).row.name] = file;
+      settings.replacements[tracePass((*stage)->shader).name] = file;
+      settings.replacements[tracePass((*stage)->tuned_shader).name] = file;
     }
   }
   return settings;

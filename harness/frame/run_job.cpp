@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
 #include "base/text.h"
+#include "frame/frame_drawing.h"
 #include "frame/gbuffer_source.h"
 #include "frame/image_transfer.h"
 #include "frame/replacements.h"
@@ -51,12 +51,15 @@ struct JobRunner::Impl {
   std::optional<FrameImages> images;
 
   [[nodiscard]] Expected<const LoadedScene*> loaded(const Job& job);
-  [[nodiscard]] Expected<void> frame(const Job& job, const CompileSettings& settings,
-                                     const Progress& progress, UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<void> drawScene(const Job& job, const CompileSettings& settings,
-                                         const Progress& progress, UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<void> traces(const Job& job, const CompileSettings& settings,
-                                      const Progress& progress, UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<FrameDrawing> frame(const Job& job, const CompileSettings& settings,
+                                             const Progress& progress, UniformValues& values,
+                                             JobResult& result);
+  [[nodiscard]] Expected<std::optional<DrawnScene>> scene(const Job& job, const Progress& progress,
+                                                          UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<std::vector<std::string>> upload(const Job& job, const Progress& progress,
+                                                          UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> draw(const Job& job, const CompileSettings& settings, const Progress& progress,
+                                    UniformValues& values, JobResult& result);
   [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
 };
 
@@ -85,9 +88,8 @@ Expected<const LoadedScene*> JobRunner::Impl::loaded(const Job& job) {
   return &scenes.emplace(key, LoadedScene{std::move(*scene), std::move(*resources)}).first->second;
 }
 
-Expected<void> JobRunner::Impl::drawScene(const Job& job, const CompileSettings& settings,
-                                          const Progress& progress, UniformValues& values,
-                                          JobResult& result) {
+Expected<std::optional<DrawnScene>> JobRunner::Impl::scene(const Job& job, const Progress& progress,
+                                                           UniformValues& values, JobResult& result) {
   progress("load " + job.scene_file.filename().string());
   const auto scene = loaded(job);
   if (!scene) {
@@ -101,64 +103,60 @@ Expected<void> JobRunner::Impl::drawScene(const Job& job, const CompileSettings&
   result.notes = (*scene)->scene.notes;
   setCameraUniforms(values, result.camera);
   setLightUniforms(values, (*scene)->scene, result.camera.view_from_world);
-  progress("compile gbuffer");
-  const auto program = programs.get(gbufferPass(), settings);
-  if (!program) {
-    return tl::make_unexpected(program.error());
-  }
-  progress("draw gbuffer");
-  const int rounds = 1 + (job.timing.rounds > 0 ? std::min(job.timing.rounds, 3) : 0);
-  PassReport report{.pass = "gbuffer", .cold = {}, .steady = {}};
-  for (int round = 0; round < rounds; ++round) {
-    const auto time = drawGbuffer(device, **program, (*scene)->scene, (*scene)->resources, *images, values);
-    if (!time) {
-      return tl::make_unexpected(time.error());
-    }
-    if (round == 0) {
-      report.cold = *time;
-    } else {
-      report.steady.push_back(*time);
-    }
-  }
-  result.frame_passes.push_back(std::move(report));
-  return {};
+  return DrawnScene{.scene = &(*scene)->scene, .resources = &(*scene)->resources};
 }
 
-Expected<void> JobRunner::Impl::frame(const Job& job, const CompileSettings& settings,
-                                      const Progress& progress, UniformValues& values, JobResult& result) {
-  if (job.gbuffer_camera) {
-    progress("upload gbuffer");
-    result.camera = *job.gbuffer_camera;
-    setCameraUniforms(values, result.camera);
-    setLightUniforms(values, defaultLight(), result.camera.view_from_world);
-    if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
-      return uploaded;
-    }
-  } else if (const auto drawn = drawScene(job, settings, progress, values, result); !drawn) {
-    return drawn;
+// The names of the images that were given.
+Expected<std::vector<std::string>> JobRunner::Impl::upload(const Job& job, const Progress& progress,
+                                                           UniformValues& values, JobResult& result) {
+  progress("upload gbuffer");
+  result.camera = *job.gbuffer_camera;
+  setCameraUniforms(values, result.camera);
+  setLightUniforms(values, defaultLight(), result.camera.view_from_world);
+  if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
+    return tl::make_unexpected(uploaded.error());
   }
   const auto lit = job.gbuffer.find("lit");
-  if (lit != job.gbuffer.end()) {
-    const auto image = images->get("lit");
-    return image ? uploadImage(device, **image, lit->second, {0, 0, 0, 1})
-                 : tl::make_unexpected(image.error());
+  if (lit == job.gbuffer.end()) {
+    return std::vector<std::string>{};
   }
-  progress("compile light");
-  const auto program = programs.get(lightStep().row, settings);
-  if (!program) {
-    return tl::make_unexpected(program.error());
-  }
-  progress("draw light");
-  const auto time = drawStep(device, **program, lightStep(), *images, values);
-  if (!time) {
-    return tl::make_unexpected(time.error());
-  }
-  result.frame_passes.push_back({.pass = "light", .cold = *time, .steady = {}});
-  return {};
+  const auto image = images->get("lit");
+  const auto done =
+      image ? uploadImage(device, **image, lit->second, {0, 0, 0, 1}) : tl::make_unexpected(image.error());
+  return done ? Expected<std::vector<std::string>>({"lit"}) : tl::make_unexpected(done.error());
 }
 
-Expected<void> JobRunner::Impl::traces(const Job& job, const CompileSettings& settings,
-                                       const Progress& progress, UniformValues& values, JobResult& result) {
+Expected<FrameDrawing> JobRunner::Impl::frame(const Job& job, const CompileSettings& settings,
+                                              const Progress& progress, UniformValues& values,
+                                              JobResult& result) {
+  const auto kind = findFrameKind(job.frame);
+  if (!kind) {
+    return tl::make_unexpected(kind.error());
+  }
+  std::optional<DrawnScene> drawn;
+  std::vector<std::string> given;
+  if (job.gbuffer_camera) {
+    auto uploaded = upload(job, progress, values, result);
+    if (!uploaded) {
+      return tl::make_unexpected(uploaded.error());
+    }
+    given = std::move(*uploaded);
+  } else {
+    const auto placed = scene(job, progress, values, result);
+    if (!placed) {
+      return tl::make_unexpected(placed.error());
+    }
+    drawn = *placed;
+  }
+  return FrameDrawing::prepare(programs, settings, **kind, drawn, given, progress);
+}
+
+Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& settings,
+                                     const Progress& progress, UniformValues& values, JobResult& result) {
+  auto drawing = frame(job, settings, progress, values, result);
+  if (!drawing) {
+    return tl::make_unexpected(drawing.error());
+  }
   std::vector<Tracing> tracings;
   for (const TraceRequest& request : job.traces) {
     auto tracing = Tracing::prepare(programs, settings, request, job.size, progress);
@@ -168,6 +166,9 @@ Expected<void> JobRunner::Impl::traces(const Job& job, const CompileSettings& se
     tracings.push_back(std::move(*tracing));
   }
   for (int round = 0; round <= job.timing.rounds; ++round) {
+    if (const auto drawn = drawing->draw(device, *images, values, progress); !drawn) {
+      return drawn;
+    }
     for (Tracing& tracing : tracings) {
       if (const auto drawn = tracing.draw(device, *images, values, progress); !drawn) {
         return drawn;
@@ -182,6 +183,7 @@ Expected<void> JobRunner::Impl::traces(const Job& job, const CompileSettings& se
       }
     }
   }
+  result.frame_passes = drawing->times();
   return {};
 }
 
@@ -189,17 +191,16 @@ Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {
   if (!job.want_gbuffer) {
     return {};
   }
-  for (const std::string name :
-       {"albedo", "normal_view", "material", "emission", "dist_view", "depth_window", "lit"}) {
-    const DeviceImage* image = images->find(name);
-    if (image == nullptr || (name == "depth_window" && job.gbuffer_camera)) {
+  for (const FrameImageRow& row : frameImages()) {
+    const DeviceImage* image = images->find(row.name);
+    if (row.folder.empty() || image == nullptr || (row.name == "depth_window" && job.gbuffer_camera)) {
       continue;
     }
-    auto read = readImage(device, *image, frameImageRow(name).channels);
+    auto read = readImage(device, *image, row.channels);
     if (!read) {
       return tl::make_unexpected(read.error());
     }
-    result.images.emplace(name, std::move(*read));
+    result.images.emplace(row.name, std::move(*read));
   }
   return {};
 }
@@ -216,10 +217,7 @@ Expected<JobResult> JobRunner::run(const Job& job, const Progress& progress) {
   }
   JobResult result;
   UniformValues values;
-  auto done = impl.frame(job, *settings, progress, values, result);
-  if (done) {
-    done = impl.traces(job, *settings, progress, values, result);
-  }
+  auto done = impl.draw(job, *settings, progress, values, result);
   if (done) {
     done = impl.readFrame(job, result);
   }

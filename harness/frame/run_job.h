@@ -1,18 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "base/error.h"
 #include "device/device.h"
 #include "frame/job.h"
+#include "frame/progress.h"
 #include "shader/compiler.h"
 
 namespace ssrkit {
-
-// Told what is about to begin ("compile trace_hiz", "draw gbuffer"), so that a crash can be laid at its door.
-using Progress = std::function<void(const std::string&)>;
 
 // Runs one job on one device. Scenes and programs are kept between jobs of one runner.
 class JobRunner {

@@ -1,12 +1,10 @@
 #include "frame/stages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <vector>
 
-#include "base/text.h"
+#include "frame/find_row.h"
 
 namespace ssrkit {
 
@@ -50,17 +48,7 @@ std::span<const Stage> stages() {
 }
 
 Expected<const Stage*> findStage(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Stage& stage : table()) {
-    if (stage.name == name) {
-      return &stage;
-    }
-    names.push_back(stage.name);
-  }
-  const auto nearest = nearestName(name, names);
-  return inputError(
-      fmt::format("find the stage '{}'", name), "there is no such stage", "",
-      nearest ? fmt::format("did you mean '{}'?", *nearest) : "the stages are " + joinNames(names));
+  return findRow(stages(), name, "stage");
 }
 
 TraceParameters withStageDefaults(const TraceParameters& parameters, const Stage& stage, Size size) {

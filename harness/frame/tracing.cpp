@@ -10,29 +10,10 @@ namespace ssrkit {
 
 namespace {
 
-FrameStep fullScreenStep(const std::string& name, std::vector<std::string> outputs) {
-  FrameStep step{.row = {.name = name,
-                         .vertex_shader = "full_screen.vert",
-                         .fragment_shader = name + ".frag",
-                         .colour_formats = {},
-                         .has_depth = false,
-                         .vertex_attributes = {},
-                         .vertex_stride_bytes = 0},
-                 .outputs = std::move(outputs)};
-  for (const std::string& output : step.outputs) {
-    step.row.colour_formats.push_back(frameImageRow(output).format);
-  }
-  return step;
-}
-
-const FrameStep& resolveStep() {
-  static const FrameStep step = fullScreenStep("resolve", {"reflection"});
-  return step;
-}
-
-const FrameStep& compositeStep() {
-  static const FrameStep step = fullScreenStep("composite", {"composite"});
-  return step;
+// No picture: the trace alone.
+const Technique& noTechnique() {
+  static const Technique none{.name = "", .about = "", .frame = "", .read_back = {}};
+  return none;
 }
 
 void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) {
@@ -51,29 +32,10 @@ void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) 
 
 }  // namespace
 
-const FrameStep& lightStep() {
-  static const FrameStep step = fullScreenStep("light", {"lit"});
-  return step;
-}
-
-FrameStep traceStep(const std::string& shader) {
-  return fullScreenStep(shader.substr(0, shader.find('.')), {"hit_texel", "hit_point", "ray_work"});
-}
-
-Expected<PassTime> drawStep(Device& device, const Program& program, const FrameStep& step,
-                            FrameImages& images, const UniformValues& values) {
-  FullScreenPass pass{.row = &step.row,
-                      .targets = {},
-                      .viewport = {0, 0, images.size().width, images.size().height},
-                      .aliases = {}};
-  for (const std::string& output : step.outputs) {
-    const auto image = images.get(output);
-    if (!image) {
-      return tl::make_unexpected(image.error());
-    }
-    pass.targets.push_back({*image, 0, std::nullopt});
-  }
-  return drawFullScreen(device, program, pass, images, values);
+FramePass tracePass(const std::string& shader) {
+  return {.name = shader.substr(0, shader.find('.')),
+          .outputs = {"hit_texel", "hit_point", "ray_work"},
+          .shader = shader};
 }
 
 Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings,
@@ -82,43 +44,68 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   if (!stage) {
     return tl::make_unexpected(stage.error());
   }
+  const auto technique = request.technique.empty() ? Expected<const Technique*>(&noTechnique())
+                                                   : findTechnique(request.technique);
+  if (!technique) {
+    return tl::make_unexpected(technique.error());
+  }
   Tracing tracing;
   tracing.stage_ = request.stage;
   tracing.parameters_ = withStageDefaults(request.parameters, **stage, size);
-  tracing.want_color_ = request.want_color;
-  tracing.trace_step_ = traceStep(shaderOf(**stage, tracing.parameters_));
-  struct Need {
-    const PassRow* row;
-    const Program** program;
-  };
-  std::vector<Need> needs = {{&tracing.trace_step_.row, &tracing.trace_}};
-  if (request.want_color) {
-    needs.push_back({&resolveStep().row, &tracing.resolve_});
-    needs.push_back({&compositeStep().row, &tracing.composite_});
+  tracing.technique_ = **technique;
+  FramePass pass = tracePass(shaderOf(**stage, tracing.parameters_));
+  pass.inputs = tracing.technique_.trace_inputs;
+  auto trace = preparePass(programs, settings, pass, progress);
+  if (!trace) {
+    return tl::make_unexpected(trace.error());
   }
-  for (std::size_t i = 0; i < needs.size(); ++i) {
-    progress("compile " + needs[i].row->name);
-    const auto program = programs.get(*needs[i].row, settings);
-    if (!program) {
-      return tl::make_unexpected(program.error());
+  tracing.trace_ = std::move(*trace);
+  tracing.layout_ = pyramidLayoutOf(*tracing.trace_.program);
+  if (tracing.layout_ != PyramidLayout::kNone) {
+    for (const auto& [row, program] : {std::pair{&pyramidBasePass(), &tracing.pyramid_.base},
+                                       std::pair{&pyramidReducePass(), &tracing.pyramid_.reduce}}) {
+      progress("compile " + row->name);
+      const auto compiled = programs.get(*row, settings);
+      if (!compiled) {
+        return tl::make_unexpected(compiled.error());
+      }
+      *program = *compiled;
     }
-    *needs[i].program = *program;
-    if (i == 0 && pyramidLayoutOf(**program) != PyramidLayout::kNone) {
-      tracing.layout_ = pyramidLayoutOf(**program);
-      needs.push_back({&pyramidBasePass(), &tracing.pyramid_.base});
-      needs.push_back({&pyramidReducePass(), &tracing.pyramid_.reduce});
+  }
+  for (const auto& [passes, prepared] : {std::pair{&tracing.technique_.before_trace, &tracing.before_trace_},
+                                         std::pair{&tracing.technique_.after_sample, &tracing.after_sample_},
+                                         std::pair{&tracing.technique_.after_trace, &tracing.after_trace_}}) {
+    auto compiled = preparePasses(programs, settings, *passes, progress);
+    if (!compiled) {
+      return tl::make_unexpected(compiled.error());
     }
+    *prepared = std::move(*compiled);
   }
   return tracing;
 }
 
-void Tracing::addTime(const std::string& pass, const PassTime& time) {
-  auto report = std::ranges::find(reports_, pass, &PassReport::pass);
-  if (report == reports_.end()) {
-    reports_.push_back({.pass = pass, .cold = time, .steady = {}});
-  } else {
-    report->steady.push_back(time);
+Expected<void> Tracing::drawAll(Device& device, const std::vector<PreparedPass>& passes, FrameImages& images,
+                                const UniformValues& values, const Progress& progress) {
+  for (const PreparedPass& pass : passes) {
+    progress("draw " + pass.pass.name);
+    const auto time = drawPass(device, pass, images, values);
+    if (!time) {
+      return tl::make_unexpected(time.error());
+    }
+    times_.add(pass.pass.name, *time);
   }
+  return {};
+}
+
+Expected<void> Tracing::drawTrace(Device& device, FrameImages& images, const UniformValues& values,
+                                  const Progress& progress) {
+  progress("draw " + trace_.pass.name);
+  const auto time = drawPass(device, trace_, images, values);
+  if (!time) {
+    return tl::make_unexpected(time.error());
+  }
+  times_.add("trace", *time);
+  return {};
 }
 
 Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues& values,
@@ -130,53 +117,47 @@ Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues&
     if (!time) {
       return tl::make_unexpected(time.error());
     }
-    addTime("pyramid", *time);
+    times_.add("pyramid", *time);
   }
-  progress("draw " + trace_step_.row.name);
-  const auto time = drawStep(device, *trace_, trace_step_, images, values);
-  if (!time) {
-    return tl::make_unexpected(time.error());
+  values.set("sample_count", technique_.sample_count);
+  for (int sample = 0; sample < technique_.sample_count; ++sample) {
+    values.set("sample_index", sample);
+    auto done = drawAll(device, before_trace_, images, values, progress);
+    done = done ? drawTrace(device, images, values, progress) : done;
+    done = done ? drawAll(device, after_sample_, images, values, progress) : done;
+    if (!done) {
+      return done;
+    }
   }
-  addTime("trace", *time);
-  return want_color_ ? drawColour(device, images, values) : Expected<void>{};
-}
-
-Expected<void> Tracing::drawColour(Device& device, FrameImages& images, const UniformValues& values) {
-  const auto resolved = drawStep(device, *resolve_, resolveStep(), images, values);
-  if (!resolved) {
-    return tl::make_unexpected(resolved.error());
-  }
-  addTime("resolve", *resolved);
-  const auto composed = drawStep(device, *composite_, compositeStep(), images, values);
-  if (!composed) {
-    return tl::make_unexpected(composed.error());
-  }
-  addTime("composite", *composed);
-  return {};
+  const auto done = drawAll(device, after_trace_, images, values, progress);
+  times_.endRound();
+  return done;
 }
 
 Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) const {
   TraceResult result{.stage = stage_,
+                     .technique = technique_.name,
                      .parameters = parameters_,
                      .record = {},
-                     .reflection = std::nullopt,
-                     .composite = std::nullopt,
-                     .passes = reports_};
+                     .images = {},
+                     .passes = times_.reports()};
   auto record =
       readRecord(device, *images.find("hit_texel"), *images.find("hit_point"), *images.find("ray_work"));
   if (!record) {
     return tl::make_unexpected(record.error());
   }
   result.record = std::move(*record);
-  if (want_color_) {
-    for (auto [name, to] :
-         {std::pair{"reflection", &result.reflection}, std::pair{"composite", &result.composite}}) {
-      auto image = readImage(device, *images.find(name), frameImageRow(name).channels);
-      if (!image) {
-        return tl::make_unexpected(image.error());
-      }
-      *to = std::move(*image);
+  // What the tracer read in the place of the frame's own is told under the frame's name for it.
+  std::map<std::string, std::string> wanted = technique_.trace_inputs;
+  for (const std::string& name : technique_.read_back) {
+    wanted.emplace(name, name);
+  }
+  for (const auto& [name, source] : wanted) {
+    auto image = readImage(device, *images.find(source), frameImageRow(source).channels);
+    if (!image) {
+      return tl::make_unexpected(image.error());
     }
+    result.images.emplace(name, std::move(*image));
   }
   return result;
 }

@@ -67,7 +67,7 @@ void fields(Archive& archive, T& p) {
 
 template <class Archive, Is<TraceRequest> T>
 void fields(Archive& archive, T& request) {
-  archive(request.stage, request.parameters, request.want_color);
+  archive(request.stage, request.parameters, request.technique);
 }
 
 template <class Archive, Is<ShaderReplacement> T>
@@ -78,8 +78,8 @@ void fields(Archive& archive, T& replacement) {
 template <class Archive, Is<Job> T>
 void fields(Archive& archive, T& job) {
   archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.gbuffer, job.gbuffer_camera,
-          job.size, job.traces, job.timing.rounds, job.replacements, job.shader_root, job.optimise_spirv,
-          job.want_gbuffer);
+          job.size, job.frame, job.traces, job.timing.rounds, job.replacements, job.shader_root,
+          job.optimise_spirv, job.want_gbuffer);
 }
 
 template <class Archive, Is<PassTime> T>
@@ -94,7 +94,7 @@ void fields(Archive& archive, T& report) {
 
 template <class Archive, Is<TraceResult> T>
 void fields(Archive& archive, T& trace) {
-  archive(trace.stage, trace.parameters, trace.record, trace.reflection, trace.composite, trace.passes);
+  archive(trace.stage, trace.technique, trace.parameters, trace.record, trace.images, trace.passes);
 }
 
 template <class Archive, Is<JobResult> T>

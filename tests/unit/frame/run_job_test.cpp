@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
 
 #include "base/atomic_file.h"
+#include "frame/frames.h"
+#include "frame/techniques.h"
 #include "frame_device.h"
 
 namespace ssrkit {
@@ -117,7 +120,7 @@ TEST_P(RunJobTest, TheTunedFormGivesTheTextbooksBitsOverRandomDepths) {
 
 TEST_P(RunJobTest, TimesInterleavedRoundsAfterAColdOne) {
   Job job = floorAndWall();
-  job.traces = {{.stage = "walk", .want_color = false}, {.stage = "hiz", .want_color = false}};
+  job.traces = {{.stage = "walk", .technique = ""}, {.stage = "hiz", .technique = ""}};
   job.timing.rounds = 3;
   const auto result = runJob(*device_, target_, job);
   ASSERT_TRUE(result.has_value()) << sentence(result.error());
@@ -128,6 +131,45 @@ TEST_P(RunJobTest, TimesInterleavedRoundsAfterAColdOne) {
     EXPECT_EQ(trace.passes.back().steady.size(), 3U);
     EXPECT_GT(trace.passes.back().steady[0].cpu_ns, 0);
   }
+}
+
+TEST_P(RunJobTest, EveryTechniqueMakesAFinitePictureOfM1) {
+  for (const Technique& technique : techniques()) {
+    Job job = floorAndWall();
+    job.frame = technique.frame.empty() ? "basic" : technique.frame;
+    job.traces = {{.stage = "hiz", .technique = technique.name}};
+    const auto result = runJob(*device_, target_, job);
+    ASSERT_TRUE(result.has_value()) << technique.name << ": " << sentence(result.error());
+    for (const std::string& name : technique.read_back) {
+      const Image& image = result->traces.front().images.at(name);
+      EXPECT_TRUE(std::ranges::all_of(image.data, [](float value) { return std::isfinite(value); }))
+          << technique.name << " " << name;
+    }
+    const Image& composite = result->traces.front().images.at("composite");
+    EXPECT_EQ(composite.size, job.size) << technique.name;
+    EXPECT_TRUE(std::ranges::any_of(composite.data, [](float value) { return value > 0.0F; }))
+        << technique.name;
+  }
+}
+
+TEST_P(RunJobTest, EveryFrameMakesTheTechniqueItIsShownWith) {
+  for (const FrameKind& kind : frameKinds()) {
+    Job job = floorAndWall();
+    job.frame = kind.name;
+    job.traces = {{.stage = "hiz", .technique = kind.technique}};
+    const auto result = runJob(*device_, target_, job);
+    ASSERT_TRUE(result.has_value()) << kind.name << ": " << sentence(result.error());
+    EXPECT_TRUE(result->images.contains("lit")) << kind.name;
+    ASSERT_EQ(result->frame_passes.size(), kind.passes.size()) << kind.name;
+  }
+}
+
+TEST_P(RunJobTest, NamesTheTechniqueThatDoesNotExist) {
+  Job job = floorAndWall();
+  job.traces = {{.stage = "walk", .technique = "mirorr"}};
+  const auto result = runJob(*device_, target_, job);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_NE(sentence(result.error()).find("did you mean 'mirror'?"), std::string::npos);
 }
 
 TEST_P(RunJobTest, NamesTheStageThatDoesNotExist) {

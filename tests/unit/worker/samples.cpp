@@ -106,7 +106,8 @@ Job sampleJob() {
   job.gbuffer["nothing"] = Image();
   job.gbuffer_camera = sampleCamera();
   job.size = {7, 5};
-  job.traces = {{"hiz", sampleParameters(), false}, {"dda", {}, true}};
+  job.frame = "full";
+  job.traces = {{"hiz", sampleParameters(), "replace"}, {"dda", {}, ""}};
   job.timing.rounds = 11;
   job.replacements = {{"trace_hiz", "/tmp/mine.frag"}};
   job.shader_root = "shaders";
@@ -122,12 +123,13 @@ JobResult sampleResult() {
   result.images["motion"] = sampleImage({1, 9}, {"motion.x", "motion.y"});
   TraceResult trace;
   trace.stage = "hiz";
+  trace.technique = "replace";
   trace.parameters = sampleParameters();
   trace.record = sampleRecord();
-  trace.reflection = sampleImage({3, 2}, {"R", "G", "B", "A"});
+  trace.images["reflection"] = sampleImage({3, 2}, {"R", "G", "B", "A"});
   trace.passes = sampleReports();
   result.traces = {trace, TraceResult{}};
-  result.traces[1].composite = sampleImage({3, 2}, {"R", "G", "B"});
+  result.traces[1].images["composite"] = sampleImage({3, 2}, {"R", "G", "B"});
   result.frame_passes = sampleReports();
   result.notes = {"a light was added", ""};
   result.messages = {"driver said \x80"};
@@ -171,14 +173,14 @@ bool sameBits(const std::vector<PassReport>& a, const std::vector<PassReport>& b
 
 bool sameBits(const Job& a, const Job& b) {
   const auto same_trace = [](const TraceRequest& x, const TraceRequest& y) {
-    return x.stage == y.stage && sameBits(x.parameters, y.parameters) && x.want_color == y.want_color;
+    return x.stage == y.stage && sameBits(x.parameters, y.parameters) && x.technique == y.technique;
   };
   const auto same_replacement = [](const ShaderReplacement& x, const ShaderReplacement& y) {
     return x.pass == y.pass && x.file == y.file;
   };
   return a.id == b.id && a.scene_file == b.scene_file && a.camera_name == b.camera_name &&
          a.mirror_material == b.mirror_material && sameImages(a.gbuffer, b.gbuffer) &&
-         samePresence(a.gbuffer_camera, b.gbuffer_camera, kSame) && a.size == b.size &&
+         samePresence(a.gbuffer_camera, b.gbuffer_camera, kSame) && a.size == b.size && a.frame == b.frame &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&
          a.timing.rounds == b.timing.rounds &&
          std::equal(a.replacements.begin(), a.replacements.end(), b.replacements.begin(),
@@ -190,8 +192,7 @@ bool sameBits(const Job& a, const Job& b) {
 bool sameBits(const JobResult& a, const JobResult& b) {
   const auto same_trace = [](const TraceResult& x, const TraceResult& y) {
     return x.stage == y.stage && sameBits(x.parameters, y.parameters) && sameBits(x.record, y.record) &&
-           samePresence(x.reflection, y.reflection, kSame) && samePresence(x.composite, y.composite, kSame) &&
-           sameBits(x.passes, y.passes);
+           x.technique == y.technique && sameImages(x.images, y.images) && sameBits(x.passes, y.passes);
   };
   return sameBits(a.camera, b.camera) && sameImages(a.images, b.images) &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&

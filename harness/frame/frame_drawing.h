@@ -1,0 +1,48 @@
+// What all traces of a job share: the G-buffer and the passes of the frame's kind.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "device/device.h"
+#include "frame/frame_images.h"
+#include "frame/frames.h"
+#include "frame/pass_times.h"
+#include "frame/programs.h"
+#include "frame/progress.h"
+#include "frame/scene_resources.h"
+#include "scene/scene.h"
+
+namespace ssrkit {
+
+// A scene whose G-buffer is drawn; neither is owned.
+struct DrawnScene {
+  const Scene* scene = nullptr;
+  const SceneResources* resources = nullptr;
+};
+
+class FrameDrawing {
+ public:
+  // Compiles what is needed. Without a scene the G-buffer's images are there already; so are those of
+  // `given_images`: a pass whose first output is among them is left out.
+  [[nodiscard]] static Expected<FrameDrawing> prepare(Programs& programs, const CompileSettings& settings,
+                                                      const FrameKind& kind, std::optional<DrawnScene> scene,
+                                                      const std::vector<std::string>& given_images,
+                                                      const Progress& progress);
+
+  // One round of all passes.
+  [[nodiscard]] Expected<void> draw(Device& device, FrameImages& images, const UniformValues& values,
+                                    const Progress& progress);
+
+  [[nodiscard]] const std::vector<PassReport>& times() const { return times_.reports(); }
+
+ private:
+  std::optional<DrawnScene> scene_;
+  const Program* gbuffer_ = nullptr;
+  std::vector<PreparedPass> passes_;
+  PassTimes times_;
+};
+
+}  // namespace ssrkit

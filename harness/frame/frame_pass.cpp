@@ -1,0 +1,133 @@
+#include "frame/frame_pass.h"
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "device/format.h"
+
+namespace ssrkit {
+
+namespace {
+
+using Aliases = std::map<std::string, SampledImage>;
+
+// The images that a pass names for its samplers.
+Expected<Aliases> aliasesOf(const PreparedPass& pass, const FrameImages& images) {
+  Aliases aliases;
+  for (const auto& [sampler, name] : pass.pass.inputs) {
+    const SampledImage sampled = images.sampled(name);
+    if (sampled.image == nullptr) {
+      return inputError(fmt::format("draw the pass '{}'", pass.pass.name),
+                        fmt::format("the image '{}' has not been made", name), pass.program->shader,
+                        "an earlier pass of the frame or of the technique must write it");
+    }
+    aliases.emplace(sampler, sampled);
+  }
+  return aliases;
+}
+
+UniformValues valuesOf(const FramePass& pass, const UniformValues& shared) {
+  UniformValues values = shared;
+  for (const auto& [name, constant] : pass.constants) {
+    std::visit([&values, &uniform = name](auto value) { values.set(uniform, value); }, constant);
+  }
+  return values;
+}
+
+void add(PassTime& sum, const PassTime& time) {
+  sum.wall_ns += time.wall_ns;
+  sum.cpu_ns += time.cpu_ns;
+}
+
+Expected<PassTime> drawMips(Device& device, const PreparedPass& pass, DeviceImage& image,
+                            const Aliases& aliases, const FrameImages& images, const UniformValues& values) {
+  PassTime sum;
+  for (int mip = 1; mip < image.desc().mip_count; ++mip) {
+    Aliases with_finer = aliases;
+    with_finer["finer"] = {.image = &image, .base_mip = mip - 1};
+    const Size size = mipSize(image.desc(), mip);
+    const auto time = drawFullScreen(device, *pass.program,
+                                     {.row = &pass.row,
+                                      .targets = {{&image, mip, std::nullopt}},
+                                      .viewport = {0, 0, size.width, size.height},
+                                      .aliases = with_finer},
+                                     images, values);
+    if (!time) {
+      return time;
+    }
+    add(sum, *time);
+  }
+  return sum;
+}
+
+}  // namespace
+
+PassRow passRow(const FramePass& pass) {
+  PassRow row{.name = pass.name,
+              .vertex_shader = "full_screen.vert",
+              .fragment_shader = pass.shader.empty() ? pass.name + ".frag" : pass.shader,
+              .colour_formats = {},
+              .has_depth = false,
+              .vertex_attributes = {},
+              .vertex_stride_bytes = 0};
+  for (const std::string& output : pass.outputs) {
+    row.colour_formats.push_back(frameImageRow(output).format);
+  }
+  return row;
+}
+
+Expected<PreparedPass> preparePass(Programs& programs, const CompileSettings& settings, const FramePass& pass,
+                                   const Progress& progress) {
+  PreparedPass prepared{.pass = pass, .row = passRow(pass)};
+  progress("compile " + pass.name);
+  const auto program = programs.get(prepared.row, settings);
+  if (!program) {
+    return tl::make_unexpected(program.error());
+  }
+  prepared.program = *program;
+  return prepared;
+}
+
+Expected<std::vector<PreparedPass>> preparePasses(Programs& programs, const CompileSettings& settings,
+                                                  const std::vector<FramePass>& passes,
+                                                  const Progress& progress) {
+  std::vector<PreparedPass> prepared;
+  for (const FramePass& pass : passes) {
+    auto one = preparePass(programs, settings, pass, progress);
+    if (!one) {
+      return tl::make_unexpected(one.error());
+    }
+    prepared.push_back(std::move(*one));
+  }
+  return prepared;
+}
+
+Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImages& images,
+                            const UniformValues& values) {
+  SSRKIT_CHECK(!pass.pass.outputs.empty());
+  const auto aliases = aliasesOf(pass, images);
+  if (!aliases) {
+    return tl::make_unexpected(aliases.error());
+  }
+  std::vector<Attachment> targets;
+  for (const std::string& output : pass.pass.outputs) {
+    const auto image = images.get(output);
+    if (!image) {
+      return tl::make_unexpected(image.error());
+    }
+    targets.push_back({*image, 0, std::nullopt});
+  }
+  const UniformValues own_values = valuesOf(pass.pass, values);
+  if (pass.pass.fills_mips) {
+    return drawMips(device, pass, *targets.front().image, *aliases, images, own_values);
+  }
+  const Size size = targets.front().image->desc().size;
+  return drawFullScreen(device, *pass.program,
+                        {.row = &pass.row,
+                         .targets = targets,
+                         .viewport = {0, 0, size.width, size.height},
+                         .aliases = *aliases},
+                        images, own_values);
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,50 @@
+// A full-screen pass as a row of data: which shader, which images, which constants.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.h"
+#include "device/device.h"
+#include "frame/frame_images.h"
+#include "frame/programs.h"
+#include "frame/progress.h"
+
+namespace ssrkit {
+
+using UniformConstant = std::variant<int, double>;
+
+struct FramePass {
+  std::string name;                  // in reports and for --replace
+  std::vector<std::string> outputs;  // rows of frame_images.cpp, by the shader's output locations
+  std::map<std::string, std::string> inputs = {};  // sampler to image, where it is not the sampler's own name
+  std::map<std::string, UniformConstant> constants = {};  // uniforms that have these values in this pass only
+  std::string shader = {};                                // entry file; empty: NAME.frag
+  // Drawn once for each mip of its only output but the first, with the mip before as the sampler `finer`.
+  bool fills_mips = false;
+};
+
+// A pass with its program.
+struct PreparedPass {
+  FramePass pass;
+  PassRow row;
+  const Program* program = nullptr;
+};
+
+[[nodiscard]] PassRow passRow(const FramePass& pass);
+
+// Compiles it. Errors name the author's file and line.
+[[nodiscard]] Expected<PreparedPass> preparePass(Programs& programs, const CompileSettings& settings,
+                                                 const FramePass& pass, const Progress& progress);
+[[nodiscard]] Expected<std::vector<PreparedPass>> preparePasses(Programs& programs,
+                                                                const CompileSettings& settings,
+                                                                const std::vector<FramePass>& passes,
+                                                                const Progress& progress);
+
+// Draws it into its images, created when missing, over the whole of them.
+[[nodiscard]] Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImages& images,
+                                          const UniformValues& values);
+
+}  // namespace ssrkit

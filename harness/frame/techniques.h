@@ -1,0 +1,33 @@
+// The techniques, as rows of data: what is done before and after a trace to make a picture of it.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "frame/frame_pass.h"
+
+namespace ssrkit {
+
+struct Technique {
+  std::string name;
+  std::string about;                         // one line for people
+  std::string frame;                         // the kind of frame whose images it reads; empty: any
+  std::vector<FramePass> before_trace = {};  // before each sample's trace
+  std::map<std::string, std::string> trace_inputs = {};  // the tracer's samplers to images of its own
+  // The trace is repeated this often; `sample_index` counts up to `sample_count` in the uniforms.
+  int sample_count = 1;
+  std::vector<FramePass> after_sample = {};  // after each sample's trace
+  std::vector<FramePass> after_trace = {};   // once, at the end
+  std::vector<std::string> read_back = {"reflection", "composite"};
+};
+
+[[nodiscard]] std::span<const Technique> techniques();
+
+// Fails with the nearest name and the list.
+[[nodiscard]] Expected<const Technique*> findTechnique(std::string_view name);
+
+}  // namespace ssrkit
