@@ -25,6 +25,7 @@
 #include "command/run_request.h"
 #include "command/suite.h"
 #include "frame/stages.h"
+#include "report/pass_table.h"
 #include "report/results_json.h"
 #include "report/table.h"
 #include "scene/find_scene.h"
@@ -88,6 +89,9 @@ void print(const RunReport& report, const RunOptions& options) {
     return;
   }
   fmt::print("{}", runTable(report.rows, {.colour = wantsColour(STDOUT_FILENO), .width = 100}));
+  if (!options.frame.empty() || !options.techniques.empty()) {
+    fmt::print("\n{}", passTable(report.frames, report.rows));
+  }
   printFailures(report.checks);
   std::vector<Outcome> outcomes;
   for (const CheckResult& check : report.checks) {

@@ -68,6 +68,10 @@ std::optional<TraceCost> traceCost(std::span<const PassReport> passes) {
   return cost;
 }
 
+double cpuMs(const PassReport& pass) {
+  return medianOrCold_ms(pass, &PassTime::cpu_ns);
+}
+
 std::optional<double> sameFraction(const VerdictCounts& verdicts) {
   const std::size_t all = std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0});
   const std::size_t compared = all - verdicts.at(static_cast<std::size_t>(Verdict::kNone));

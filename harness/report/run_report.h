@@ -84,6 +84,9 @@ struct TraceCost {
 };
 [[nodiscard]] std::optional<TraceCost> traceCost(std::span<const PassReport> passes);
 
+// The median over a pass's rounds, or its cold time without any.
+[[nodiscard]] double cpuMs(const PassReport& pass);
+
 // SAME as a fraction of all rays that were compared; none when there were none.
 [[nodiscard]] std::optional<double> sameFraction(const VerdictCounts& verdicts);
 
