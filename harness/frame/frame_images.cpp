@@ -61,6 +61,15 @@ const std::vector<FrameImageRow>& table() {
       {.name = "ray_work", .format = kRgba16ui},
       // A technique's.
       {.name = "reflection", .format = kRgba16f, .channels = rgba},
+      {.name = "reflection_weighed", .format = kRgba16f, .channels = rgba},
+      {.name = "visibility", .format = kR32f, .channels = {"Y"}},
+      {.name = "material_masked", .format = kRgba16f, .channels = rgb},
+      {.name = "lit_mips", .format = kRgba16f, .has_mips = true, .filter = Filter::kLinear},
+      {.name = "blur_guide", .format = kRg32f},
+      {.name = "reflection_blurred_x", .format = kRgba16f},
+      {.name = "reflection_blurred", .format = kRgba16f, .channels = rgba},
+      {.name = "known", .format = kRgba16f, .has_mips = true},
+      {.name = "reflection_filled", .format = kRgba16f, .channels = rgba},
       {.name = "composite", .format = kRgba16f, .channels = rgb},
   };
   return rows;

@@ -1,18 +1,25 @@
 #include "frame/techniques.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "frame/composite_techniques.h"
 #include "frame/find_row.h"
 
 namespace ssrkit {
 
 namespace {
 
+std::vector<Technique> joined(std::vector<std::vector<Technique>> families) {
+  std::vector<Technique> all;
+  for (std::vector<Technique>& family : families) {
+    std::ranges::move(family, std::back_inserter(all));
+  }
+  return all;
+}
+
 const std::vector<Technique>& table() {
-  static const std::vector<Technique> rows = {
-      {.name = "mirror",
-       .about = "what each ray hit, weighted by Fresnel; the sky where it hit nothing",
-       .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
-                       {.name = "composite", .outputs = {"composite"}}}},
-  };
+  static const std::vector<Technique> rows = joined({compositeTechniques(), filterTechniques()});
   return rows;
 }
 

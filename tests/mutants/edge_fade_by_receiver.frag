@@ -12,6 +12,7 @@ layout(std140, binding = 0) uniform ConfidenceBlock {
   vec2 px_offset;
   vec2 view_per_px;
   float max_distance_m;
+  int lookup_budget;
   float edge_fade_fraction;  // of the image's width and height
   float fade_distance_m;
   int rejects_back_faces;
@@ -42,7 +43,7 @@ void main() {
   float confidence = edge_fade(gl_FragCoord.xy, size_px, edge_fade_fraction);
   confidence *= distance_fade(point.z, min(max_distance_m, fade_distance_m));
   confidence *= facing_fade(dir_view.z, facing_fade_start, facing_fade_end);
-  confidence *= budget_fade(float(texelFetch(ray_work, texel, 0).y), fade_lookups);
+  confidence *= budget_fade(float(texelFetch(ray_work, texel, 0).y), min(float(lookup_budget), fade_lookups));
   if (rejects_back_faces != 0) {
     confidence *= back_face_weight(texelFetch(normal_view, hit, 0).xyz, dir_view);
   }

@@ -33,6 +33,8 @@ struct Factors {
   double facing_fade_start = 2.0;
   double facing_fade_end = 3.0;
   double fade_lookups = kNone;
+  double max_distance_m = kNone;  // the trace's own
+  int lookup_budget = 65536;
 };
 
 class ConfidenceTest : public PassTest {
@@ -46,7 +48,8 @@ class ConfidenceTest : public PassTest {
     // The eye looks straight along -z through every pixel: dir_view.z is set by the normal alone.
     values_.set("px_offset", glm::dvec2(0.0));
     values_.set("view_per_px", glm::dvec2(0.0));
-    values_.set("max_distance_m", kNone);
+    values_.set("max_distance_m", factors.max_distance_m);
+    values_.set("lookup_budget", factors.lookup_budget);
     values_.set("edge_fade_fraction", factors.edge_fade_fraction);
     values_.set("fade_distance_m", factors.fade_distance_m);
     values_.set("rejects_back_faces", factors.rejects_back_faces);
@@ -168,6 +171,21 @@ TEST_P(ConfidenceTest, TheBudgetFadesByTheEighthPowerOfItsShare) {
   EXPECT_EQ(follows(
                 "confidence.frag", {.fade_lookups = 200.0}, ray_at,
                 [](int x) { return 1.0 - std::pow(std::min(x / 200.0, 1.0), 8); }, 1e-6),
+            "");
+}
+
+TEST_P(ConfidenceTest, TheTracesOwnReachAndBudgetBoundTheConstants) {
+  EXPECT_EQ(follows(
+                "confidence.frag", {.fade_distance_m = 10.0, .max_distance_m = 5.0},
+                [](int x) {
+                  return Ray{.point = {100.5, 2.5, 0.05 * x}};
+                },
+                [](int x) { return std::max(0.0, 1.0 - std::pow(0.05 * x / 5.0, 2)); }, 1e-6),
+            "");
+  EXPECT_EQ(follows(
+                "confidence.frag", {.fade_lookups = 200.0, .lookup_budget = 64},
+                [](int x) { return Ray{.lookups = x}; },
+                [](int x) { return 1.0 - std::pow(std::min(x / 64.0, 1.0), 8); }, 1e-6),
             "");
 }
 

@@ -64,7 +64,7 @@ void PassTest::give(const std::string& name, const Image& image, Format format) 
   auto created = device_->createImage({.name = name, .format = format, .size = image.size});
   ASSERT_TRUE(created.has_value()) << sentence(created.error());
   ASSERT_TRUE(uploadImage(*device_, **created, image, {0, 0, 0, 1}).has_value());
-  given_[name] = std::move(*created);
+  given_[name] = {std::move(*created)};
 }
 
 void PassTest::giveIntegers(const std::string& name, const Image& image, Format format) {
@@ -75,7 +75,7 @@ void PassTest::giveIntegers(const std::string& name, const Image& image, Format 
     words.push_back(static_cast<std::int16_t>(value));
   }
   ASSERT_TRUE(device_->upload(**created, 0, std::as_bytes(std::span(words))).has_value());
-  given_[name] = std::move(*created);
+  given_[name] = {std::move(*created)};
 }
 
 const Program* PassTest::program(const PassRow& row) {
@@ -102,8 +102,10 @@ Image PassTest::drawInto(const std::string& shader, const Attachment& target, Si
     return failed;
   }
   std::map<std::string, SampledImage> sampled = aliases;
-  for (const auto& [name, image] : given_) {
-    sampled.emplace(name, SampledImage{.image = image.get(), .mip_count = image->desc().mip_count});
+  for (const auto& [name, given] : given_) {
+    sampled.emplace(name, SampledImage{.image = given.image.get(),
+                                       .mip_count = given.image->desc().mip_count,
+                                       .filter = given.filter});
   }
   const FrameImages none(*device_, size);
   const auto time = drawFullScreen(
@@ -122,13 +124,14 @@ Image PassTest::draw(const std::string& shader, Size size, Format format) {
   return drawInto(shader, {target->get(), 0, std::nullopt}, size, {});
 }
 
-std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& base, Format format) {
+std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& base, Format format,
+                                      const std::string& name) {
   int mip_count = 1;
   while (std::max(base.size.width, base.size.height) >> mip_count > 0) {
     ++mip_count;
   }
   auto chain =
-      device_->createImage({.name = "chain", .format = format, .size = base.size, .mip_count = mip_count});
+      device_->createImage({.name = name, .format = format, .size = base.size, .mip_count = mip_count});
   EXPECT_TRUE(chain.has_value()) << sentence(chain.error());
   EXPECT_TRUE(uploadImage(*device_, **chain, base, {0, 0, 0, 1}).has_value());
   std::vector<Image> mips = {base};
@@ -136,7 +139,7 @@ std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& ba
     mips.push_back(drawInto(shader, {chain->get(), mip, std::nullopt}, mipSize((*chain)->desc(), mip),
                             {{"finer", {.image = chain->get(), .base_mip = mip - 1}}}));
   }
-  given_["chain"] = std::move(*chain);
+  given_[name] = {std::move(*chain), Filter::kLinear};
   return mips;
 }
 
@@ -168,6 +171,19 @@ std::string difference(const Image& got, const Image& expected, double tolerance
   const auto width = static_cast<std::size_t>(got.size.width);
   return fmt::format("texel {}, {} channel {}: {} where {} is right", texel % width, texel / width,
                      worst % got.channelCount(), got.data[worst], expected.data[worst]);
+}
+
+std::string followsFormula(const Image& got, const std::function<double(int x, int y)>& formula,
+                           double tolerance) {
+  for (int y = 0; y < got.size.height; ++y) {
+    for (int x = 0; x < got.size.width; ++x) {
+      const auto value = static_cast<double>(got.at(x, y));
+      if (!(std::abs(value - formula(x, y)) <= tolerance)) {
+        return fmt::format("{} at {}, {} where {} is right", value, x, y, formula(x, y));
+      }
+    }
+  }
+  return "";
 }
 
 Image imageOf(Size size, const std::function<std::array<double, 4>(int x, int y)>& texel,

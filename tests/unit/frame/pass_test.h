@@ -27,8 +27,10 @@ class PassTest : public FrameDeviceTest {
   // Draws the shader, an entry file of the kit's or an absolute path, into one image of `channel_count`
   // channels.
   [[nodiscard]] Image draw(const std::string& shader, Size size, Format format = Format::kRgba32f);
-  // Fills the mips of an image whose mip 0 is given: one image a mip, as a pass that fills mips does.
-  [[nodiscard]] std::vector<Image> drawMips(const std::string& shader, const Image& base, Format format);
+  // Fills the mips of an image whose mip 0 is given: one image a mip, as a pass that fills mips does. The
+  // chain is then there under `name` for later passes, sampled linearly.
+  std::vector<Image> drawMips(const std::string& shader, const Image& base, Format format,
+                              const std::string& name = "chain");
 
   // The kit's own shader passes the check, and each mutant (tests/mutants/NAME.frag) fails it. A mutant's
   // description must name this test.
@@ -40,12 +42,20 @@ class PassTest : public FrameDeviceTest {
   [[nodiscard]] const Program* program(const PassRow& row);
   [[nodiscard]] Image drawInto(const std::string& shader, const Attachment& target, Size size,
                                const std::map<std::string, SampledImage>& aliases);
-  std::map<std::string, std::unique_ptr<DeviceImage>> given_;
+  struct Given {
+    std::unique_ptr<DeviceImage> image;
+    Filter filter = Filter::kNearest;
+  };
+  std::map<std::string, Given> given_;
   std::unique_ptr<Programs> programs_;
 };
 
 // "" when all channels agree to within `tolerance`, else the largest difference with its texel.
 [[nodiscard]] std::string difference(const Image& got, const Image& expected, double tolerance);
+
+// "" when the first channel of each texel is within `tolerance` of the formula.
+[[nodiscard]] std::string followsFormula(const Image& got, const std::function<double(int x, int y)>& formula,
+                                         double tolerance);
 
 // An image of RGBA whose texels are made by a function.
 [[nodiscard]] Image imageOf(Size size, const std::function<std::array<double, 4>(int x, int y)>& texel,

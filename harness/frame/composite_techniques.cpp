@@ -1,0 +1,103 @@
+#include "frame/composite_techniques.h"
+
+namespace ssrkit {
+
+namespace {
+
+constexpr double kNone = 1e30;
+
+FramePass resolve() {
+  return {.name = "resolve", .outputs = {"reflection"}};
+}
+
+// What a technique takes from the trace's own reach and budget only, it leaves at kNone here.
+FramePass confidence() {
+  return {.name = "confidence",
+          .outputs = {"reflection_weighed"},
+          .constants = {{"edge_fade_fraction", 0.1},
+                        {"fade_distance_m", kNone},
+                        {"rejects_back_faces", 1},
+                        {"facing_fade_start", 0.75},
+                        {"facing_fade_end", 1.0},
+                        {"fade_lookups", kNone}}};
+}
+
+FramePass composite(const std::string& reflection) {
+  return {.name = "composite", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
+}
+
+FramePass blurAlong(const std::string& name, const std::string& source, const std::string& output,
+                    int along_y) {
+  return {.name = name,
+          .outputs = {output},
+          .inputs = {{"source", source}},
+          .constants = {{"along_y", along_y}},
+          .shader = "gloss_blur.frag"};
+}
+
+}  // namespace
+
+std::vector<Technique> compositeTechniques() {
+  return {
+      {.name = "mirror",
+       .about = "what each ray hit, weighted by Fresnel; the sky where it hit nothing",
+       .after_trace = {resolve(), {.name = "composite", .outputs = {"composite"}}}},
+      {.name = "confidence",
+       .about = "mirror, faded where the screen's knowledge ends",
+       .after_trace = {resolve(), confidence(), composite("reflection_weighed")}},
+      {.name = "additive",
+       .about = "adds the hit's colour by a visibility from specular and shininess (INF584)",
+       .after_trace = {resolve(),
+                       {.name = "visibility", .outputs = {"visibility"}},
+                       {.name = "composite_additive", .outputs = {"composite"}}}},
+      {.name = "metallic",
+       .about = "adds the hit's colour by metalness (KongEngine)",
+       .after_trace = {resolve(), {.name = "composite_metallic", .outputs = {"composite"}}}},
+      {.name = "metal_mask",
+       .about = "traces metals only, and blends by Fresnel and the hit's distance from the screen's centre",
+       .before_trace = {{.name = "metal_mask", .outputs = {"material_masked"}}},
+       .trace_inputs = {{"material", "material_masked"}},
+       .after_trace = {resolve(), {.name = "composite_masked", .outputs = {"composite"}}}},
+  };
+}
+
+std::vector<Technique> filterTechniques() {
+  return {
+      {.name = "cone_mips",
+       .about = "one ray; the colour from the mip as large as the surface's cone is at the hit",
+       .after_trace = {{.name = "copy_lit",
+                        .outputs = {"lit_mips"},
+                        .inputs = {{"source", "lit"}},
+                        .shader = "copy.frag"},
+                       {.name = "mips_reduce", .outputs = {"lit_mips"}, .fills_mips = true},
+                       {.name = "resolve_cone", .outputs = {"reflection"}},
+                       confidence(),
+                       composite("reflection_weighed")}},
+      {.name = "gloss_blur",
+       .about = "one ray; the reflection blurred by the surface's cone, up to edges of depth and normal",
+       .after_trace = {resolve(),
+                       confidence(),
+                       {.name = "blur_guide",
+                        .outputs = {"blur_guide"},
+                        .constants = {{"max_radius_px", 48.0}}},
+                       blurAlong("gloss_blur_x", "reflection_weighed", "reflection_blurred_x", 0),
+                       blurAlong("gloss_blur_y", "reflection_blurred_x", "reflection_blurred", 1),
+                       composite("reflection_blurred")}},
+      {.name = "push_pull",
+       .about = "holes of the reflection filled from the nearest pixels that are known",
+       .after_trace = {resolve(),
+                       confidence(),
+                       {.name = "copy_reflection",
+                        .outputs = {"known"},
+                        .inputs = {{"source", "reflection_weighed"}},
+                        .shader = "copy.frag"},
+                       {.name = "pull", .outputs = {"known"}, .fills_mips = true},
+                       {.name = "push",
+                        .outputs = {"reflection_filled"},
+                        .inputs = {{"reflection", "reflection_weighed"}},
+                        .constants = {{"fill_levels", 4}}},
+                       composite("reflection_filled")}},
+  };
+}
+
+}  // namespace ssrkit
