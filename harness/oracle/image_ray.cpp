@@ -126,17 +126,21 @@ PixelRay rayFrom(const OracleInput& input, const PixelProjection& projection, gl
   const glm::dvec3 origin_view = reflection.p_view - bias * reflection.p_view.z * reflection.normal_view;
   const double dist_origin = -origin_view.z;
   const bool near_tie = std::abs(dist_origin - near_m) <= kTieRelative * near_m;
+  PixelRay result = early(RayClass::kOffscreen, near_tie);
+  result.is_reflected = true;
+  result.origin_view = origin_view;
+  result.dir_view = reflection.dir_view;
   if (!(dist_origin >= near_m)) {
-    return early(RayClass::kOffscreen, near_tie);
+    return result;
   }
   const glm::dvec2 px_origin =
       bias == 0.0 ? px_centre
                   : projection.px_scale * glm::dvec2(origin_view) / dist_origin + projection.px_offset;
   const bool edge_tie = bias != 0.0 && isNearImageEdge(px_origin, size);
   if (!isInside(px_origin, size)) {
-    return early(RayClass::kOffscreen, edge_tie);
+    result.is_start_tie = edge_tie;
+    return result;
   }
-  PixelRay result;
   result.is_walked = true;
   result.is_start_tie = near_tie || edge_tie || std::abs(reflection.cosine) < kTieCosine;
   result.ray = project(projection, px_origin, origin_view, reflection.dir_view);

@@ -39,6 +39,9 @@ struct ImageRay {
 
 // What becomes of a pixel before any lookup.
 struct PixelRay {
+  bool is_reflected = false;  // a ray leaves the pixel: from origin_view along the unit dir_view
+  glm::dvec3 origin_view{0.0};
+  glm::dvec3 dir_view{0.0};
   bool is_walked = false;  // else `early_class` is the answer
   RayClass early_class = RayClass::kMasked;
   bool is_start_tie = false;  // between walking and not walking

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-#include <functional>
 #include <string_view>
-#include <system_error>
-#include <thread>
 
 #include "base/check.h"
 #include "oracle/cell_walk.h"
 #include "oracle/image_ray.h"
+#include "oracle/rows.h"
 
 namespace ssrkit {
 
@@ -54,20 +50,6 @@ Expected<void> checkParameters(const TraceParameters& parameters) {
   return {};
 }
 
-Expected<void> checkInput(const OracleInput& input) {
-  SSRKIT_CHECK(input.camera != nullptr);
-  SSRKIT_CHECK(input.dist_view != nullptr);
-  SSRKIT_CHECK(input.normal_view != nullptr);
-  const Size size = input.camera->size;
-  return validate(*input.camera, kAttempted)
-      .and_then([&] { return checkImage(*input.dist_view, "dist_view", size, 1, 1); })
-      .and_then([&] { return checkImage(*input.normal_view, "normal_view", size, 3, 4); })
-      .and_then([&] {
-        return input.mask == nullptr ? Expected<void>() : checkImage(*input.mask, "mask", size, 1, 1);
-      })
-      .and_then([&] { return checkParameters(input.parameters); });
-}
-
 void traceRow(const OracleInput& input, const PixelProjection& projection, const ColumnField& field, int y,
               OracleResult& result) {
   for (int x = 0; x < field.size.width; ++x) {
@@ -89,26 +71,26 @@ void traceRow(const OracleInput& input, const PixelProjection& projection, const
   }
 }
 
-// Runs `work` on up to `thread_count` threads at once, this one among them.
-void runOnThreads(int thread_count, const std::function<void()>& work) {
-  std::vector<std::jthread> helpers;
-  try {
-    for (int helper = 1; helper < thread_count; ++helper) {
-      helpers.emplace_back(work);
-    }
-  } catch (const std::system_error&) {
-    // The machine gives no more threads: those that run do the work.
-  }
-  work();
-}
-
 }  // namespace
+
+Expected<void> checkInput(const OracleInput& input) {
+  SSRKIT_CHECK(input.camera != nullptr);
+  SSRKIT_CHECK(input.dist_view != nullptr);
+  SSRKIT_CHECK(input.normal_view != nullptr);
+  const Size size = input.camera->size;
+  return validate(*input.camera, kAttempted)
+      .and_then([&] { return checkImage(*input.dist_view, "dist_view", size, 1, 1); })
+      .and_then([&] { return checkImage(*input.normal_view, "normal_view", size, 3, 4); })
+      .and_then([&] {
+        return input.mask == nullptr ? Expected<void>() : checkImage(*input.mask, "mask", size, 1, 1);
+      })
+      .and_then([&] { return checkParameters(input.parameters); });
+}
 
 Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count) {
   if (Expected<void> checked = checkInput(input); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  SSRKIT_CHECK_LE(0, thread_count);
   const Size size = input.camera->size;
   const PixelProjection projection = pixelProjection(*input.camera);
   const ColumnField field = columnField(input);
@@ -116,16 +98,7 @@ Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count) {
   result.record.size = size;
   result.record.rays.resize(input.dist_view->texelCount());
   result.ambiguity.resize(input.dist_view->texelCount());
-  // Rows are handed out one by one: long and short rays lie in different parts of the image.
-  std::atomic<int> next_row = 0;
-  const auto work = [&] {
-    for (int y = next_row++; y < size.height; y = next_row++) {
-      traceRow(input, projection, field, y, result);
-    }
-  };
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int threads = std::min(thread_count == 0 ? cores : thread_count, size.height);
-  runOnThreads(threads, work);
+  forEachRow(size.height, thread_count, [&](int y) { traceRow(input, projection, field, y, result); });
   return result;
 }
 

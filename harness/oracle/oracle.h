@@ -26,6 +26,9 @@ struct OracleInput {
   TraceParameters parameters;
 };
 
+// Fails on images whose size or channels do not fit the camera, and on parameters outside the contract.
+[[nodiscard]] Expected<void> checkInput(const OracleInput& input);
+
 // Why a ray's answer is a tie in single precision. Such rays are listed and capped, never dropped silently.
 enum class Ambiguity : std::uint8_t {
   kNone = 0,
@@ -40,8 +43,7 @@ struct OracleResult {
   // Cells crossed by the ray up to its hit in order are not stored; see `cellsOf`.
 };
 
-// The whole image, on `thread_count` threads (0: one for each core). Fails on sizes that do not agree and on
-// parameters outside the contract.
+// The whole image, on `thread_count` threads (0: one for each core). Fails where checkInput does.
 [[nodiscard]] Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count = 0);
 
 // One cell of one ray's walk, for LEAK classification and the ray microscope.
