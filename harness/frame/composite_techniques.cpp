@@ -26,13 +26,33 @@ FramePass composite(const std::string& reflection) {
   return {.name = "composite", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
 }
 
-FramePass blurAlong(const std::string& name, const std::string& source, const std::string& output,
-                    int along_y) {
-  return {.name = name,
-          .outputs = {output},
-          .inputs = {{"source", source}},
-          .constants = {{"along_y", along_y}},
-          .shader = "gloss_blur.frag"};
+// Along x, then along y; an image cannot be read and written at once.
+std::vector<FramePass> blurPair(const std::string& name, const std::string& source, const std::string& output,
+                                int narrow) {
+  const FramePass along_x{.name = name + "_x",
+                          .outputs = {"reflection_blurred_x"},
+                          .inputs = {{"source", source}},
+                          .constants = {{"along_y", 0}, {"narrow", narrow}},
+                          .shader = "gloss_blur.frag"};
+  FramePass along_y = along_x;
+  along_y.name = name + "_y";
+  along_y.outputs = {output};
+  along_y.inputs = {{"source", "reflection_blurred_x"}};
+  along_y.constants["along_y"] = 1;
+  return {along_x, along_y};
+}
+
+std::vector<FramePass> glossBlur() {
+  std::vector<FramePass> passes = {
+      resolve(),
+      confidence(),
+      {.name = "blur_guide", .outputs = {"blur_guide"}, .constants = {{"max_radius_px", 48.0}}}};
+  for (const auto& pair : {blurPair("blur_narrow", "reflection_weighed", "reflection_blurred", 1),
+                           blurPair("blur_wide", "reflection_blurred", "reflection_blurred_wide", 0)}) {
+    passes.insert(passes.end(), pair.begin(), pair.end());
+  }
+  passes.push_back(composite("reflection_blurred_wide"));
+  return passes;
 }
 
 }  // namespace
@@ -75,14 +95,7 @@ std::vector<Technique> filterTechniques() {
                        composite("reflection_weighed")}},
       {.name = "gloss_blur",
        .about = "one ray; the reflection blurred by the surface's cone, up to edges of depth and normal",
-       .after_trace = {resolve(),
-                       confidence(),
-                       {.name = "blur_guide",
-                        .outputs = {"blur_guide"},
-                        .constants = {{"max_radius_px", 48.0}}},
-                       blurAlong("gloss_blur_x", "reflection_weighed", "reflection_blurred_x", 0),
-                       blurAlong("gloss_blur_y", "reflection_blurred_x", "reflection_blurred", 1),
-                       composite("reflection_blurred")}},
+       .after_trace = glossBlur()},
       {.name = "push_pull",
        .about = "holes of the reflection filled from the nearest pixels that are known",
        .after_trace = {resolve(),
@@ -95,7 +108,7 @@ std::vector<Technique> filterTechniques() {
                        {.name = "push",
                         .outputs = {"reflection_filled"},
                         .inputs = {{"reflection", "reflection_weighed"}},
-                        .constants = {{"fill_levels", 4}}},
+                        .constants = {{"fill_levels", 5}}},
                        composite("reflection_filled")}},
   };
 }

@@ -3,79 +3,12 @@
 
 #include <random>
 
-#include "pass_test.h"
+#include "scalar_blur.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{61, 47};
-constexpr double kPxScale = 80.0;
-constexpr double kDist = 5.0;
-
-// What a blur is given: a function of the texel for each image.
-struct Surface {
-  std::function<std::array<double, 4>(int x, int y)> source;
-  std::function<double(int x, int y)> dist_view = [](int, int) { return kDist; };
-  std::function<double(int x, int y)> radius_px = [](int, int) { return 6.0; };
-  std::function<std::array<double, 4>(int x, int y)> normal = [](int, int) {
-    return std::array{0.0, 0.0, 1.0, 1.0};
-  };
-};
-
-// Position in view space, the image's middle on the axis.
-glm::dvec3 positionView(const Surface& surface, int x, int y) {
-  const double dist = surface.dist_view(x, y);
-  return {dist * (x + 0.5 - kSize.width / 2.0) / kPxScale, -dist * (y + 0.5 - kSize.height / 2.0) / kPxScale,
-          -dist};
-}
-
-// Weight of one texel in another's blur along one axis, `offset` texels away.
-double weightOf(const Surface& surface, int x, int y, int other_x, int other_y, int offset) {
-  const double radius = std::min(surface.radius_px(x, y), surface.radius_px(other_x, other_y));
-  if (radius <= 0.0) {
-    return 0.0;
-  }
-  const auto own = surface.normal(x, y);
-  const auto other = surface.normal(other_x, other_y);
-  const glm::dvec3 normal(own[0], own[1], own[2]);
-  const double off_plane =
-      std::abs(glm::dot(normal, positionView(surface, other_x, other_y) - positionView(surface, x, y)));
-  const double plane = std::max(1.0 - off_plane / (0.01 * surface.dist_view(x, y)), 0.0);
-  const double turned =
-      std::max((glm::dot(normal, glm::dvec3(other[0], other[1], other[2])) - 0.9) / 0.1, 0.0);
-  const double share = offset / radius;
-  return std::pow(std::max(1.0 - share * share, 0.0), 2) * plane * turned;
-}
-
-// One axis in double precision: every tap within the radius, weighed, colours times alpha.
-Image blurredAlong(const Surface& surface, const Image& source, bool along_y) {
-  return imageOf(kSize, [&](int x, int y) {
-    const double radius = surface.radius_px(x, y);
-    std::array<double, 4> sum{};
-    double weights = 0.0;
-    const double spacing = std::max(radius / 12.0, 1.0);
-    for (int tap = -12; tap <= 12; ++tap) {
-      const auto offset = static_cast<int>(std::nearbyint(tap * spacing));
-      const int other_x = along_y ? x : x + offset;
-      const int other_y = along_y ? y + offset : y;
-      if (other_x < 0 || other_y < 0 || other_x >= kSize.width || other_y >= kSize.height) {
-        continue;
-      }
-      const double weight = tap == 0 ? 1.0 : weightOf(surface, x, y, other_x, other_y, offset);
-      weights += weight;
-      for (std::size_t channel = 0; channel < 4; ++channel) {
-        const auto alpha = static_cast<double>(source.at(other_x, other_y, 3));
-        sum[channel] +=
-            weight *
-            (channel < 3 ? alpha * static_cast<double>(source.at(other_x, other_y, channel)) : alpha);
-      }
-    }
-    const double alpha = std::max(sum[3], 1e-30);
-    return radius <= 1.0 ? std::array<double, 4>{source.at(x, y, 0), source.at(x, y, 1), source.at(x, y, 2),
-                                                 source.at(x, y, 3)}
-                         : std::array{sum[0] / alpha, sum[1] / alpha, sum[2] / alpha, sum[3] / weights};
-  });
-}
+using namespace scalar_blur;
 
 class BlurTest : public PassTest {
  protected:
@@ -86,7 +19,9 @@ class BlurTest : public PassTest {
     values_.set("px_scale", glm::dvec2(kPxScale, -kPxScale));
     values_.set("px_offset", glm::dvec2(kSize.width / 2.0, kSize.height / 2.0));
     values_.set("view_per_px", 1.0 / glm::dvec2(kPxScale, -kPxScale));
+    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
     values_.set("along_y", along_y);
+    values_.set("narrow", narrow_);
     give("source", source, format);
     give("blur_guide",
          imageOf(
@@ -99,6 +34,7 @@ class BlurTest : public PassTest {
     give("normal_view", imageOf(kSize, surface.normal));
     return draw(shader, kSize, format);
   }
+  int narrow_ = 0;
   Image blur(const std::string& shader, const Surface& surface, Format format = Format::kRgba32f) {
     const Image along_x = blurAxis(shader, surface, imageOf(kSize, surface.source), 0, format);
     return blurAxis(shader, surface, along_x, 1, format);
@@ -124,6 +60,47 @@ TEST_P(BlurTest, AnImpulseBecomesTheSeparableKernel) {
                          }),
                  1e-7),
       "");
+}
+
+TEST_P(BlurTest, TheNarrowKernelIsAsWideAsTheGapsOfTheWideOne) {
+  narrow_ = 1;
+  // 30 px in 12 taps are 3 px apart: a radius of 6. Up to 12 px there are no gaps, and nothing is blurred.
+  const auto kernel = [](int d) { return std::pow(std::max(1.0 - d * d / 36.0, 0.0), 2); };
+  double sum = kernel(0);
+  for (int d = 1; d < 6; ++d) {
+    sum += 2.0 * kernel(d);
+  }
+  EXPECT_EQ(
+      difference(blur("gloss_blur.frag", {.source = impulse, .radius_px = [](int, int) { return 30.0; }}),
+                 imageOf(kSize,
+                         [&](int x, int y) {
+                           return std::array{kernel(x - 30) * kernel(y - 23) / (sum * sum), 0.0, 0.0, 1.0};
+                         }),
+                 1e-6),
+      "");
+  EXPECT_EQ(
+      difference(blur("gloss_blur.frag", {.source = impulse, .radius_px = [](int, int) { return 12.0; }}),
+                 imageOf(kSize, impulse), 0.0),
+      "");
+}
+
+// A bright line, blurred 30 px wide, must fall off to either side; the wide kernel's spaced taps alone leave
+// a comb.
+TEST_P(BlurTest, NarrowBeforeWideLeavesNoComb) {
+  const auto line = [](int x, int) { return std::array{x == 30 ? 1.0 : 0.0, 0.0, 0.0, 1.0}; };
+  const Surface surface{.source = line, .radius_px = [](int, int) { return 30.0; }};
+  const auto largest_rise = [](const Image& image) {  // of the peak's share
+    float rise = 0.0F;
+    for (int x = 31; x < kSize.width; ++x) {
+      rise = std::max(rise, image.at(x, 20) - image.at(x - 1, 20));
+    }
+    return rise / image.at(30, 20);
+  };
+  EXPECT_GT(largest_rise(blurAxis("gloss_blur.frag", surface, imageOf(kSize, line), 0)), 0.9F);
+  narrow_ = 1;
+  const Image narrow = blurAxis("gloss_blur.frag", surface, imageOf(kSize, line), 0);
+  narrow_ = 0;
+  EXPECT_LT(largest_rise(blurAxis("gloss_blur.frag", surface, narrow, 0)), 0.01F);
 }
 
 // Random colours, alphas, radii up to spaced taps, a tilted plane, a turned patch and a step of depth.
