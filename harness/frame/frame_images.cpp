@@ -60,6 +60,9 @@ const std::vector<FrameImageRow>& table() {
       {.name = "hit_point", .format = kRgba32f},
       {.name = "ray_work", .format = kRgba16ui},
       // A technique's.
+      {.name = "microfacet_normal", .format = kRgba32f, .channels = rgba},
+      {.name = "reflected_sum", .format = kRgba32f},
+      {.name = "reflected_sum_next", .format = kRgba32f},
       {.name = "reflection", .format = kRgba16f, .channels = rgba},
       {.name = "reflection_weighed", .format = kRgba16f, .channels = rgba},
       {.name = "visibility", .format = kR32f, .channels = {"Y"}},
@@ -132,6 +135,11 @@ Expected<DeviceImage*> FrameImages::getSized(const ImageDesc& desc) {
     slot = std::move(*created);
   }
   return slot.get();
+}
+
+void FrameImages::swap(const std::string& one, const std::string& other) {
+  SSRKIT_CHECK(find(one) != nullptr && find(other) != nullptr);
+  std::swap(images_.at(one), images_.at(other));
 }
 
 DeviceImage* FrameImages::find(const std::string& name) const {

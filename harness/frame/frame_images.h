@@ -46,6 +46,9 @@ class FrameImages {
   // An image of a size and format of its own (pyramids, textures), under a name of its own.
   [[nodiscard]] Expected<DeviceImage*> getSized(const ImageDesc& desc);
 
+  // Two images that are there change names.
+  void swap(const std::string& one, const std::string& other);
+
   // nullptr when it was never created.
   [[nodiscard]] DeviceImage* find(const std::string& name) const;
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "device/format.h"
+#include "frame/blue_noise.h"
 
 namespace ssrkit {
 
@@ -24,6 +27,24 @@ Expected<Aliases> aliasesOf(const PreparedPass& pass, const FrameImages& images)
     aliases.emplace(sampler, sampled);
   }
   return aliases;
+}
+
+// The mask of blue noise is made for the first pass that reads it.
+Expected<void> makeBlueNoise(Device& device, const PreparedPass& pass, FrameImages& images) {
+  const bool is_read = std::ranges::any_of(
+      pass.program->samplers, [](const SamplerBinding& sampler) { return sampler.name == "blue_noise"; });
+  return is_read && images.find("blue_noise") == nullptr ? uploadBlueNoise(device, images) : Expected<void>{};
+}
+
+// Before its first draw the image that it swaps with is there, with whatever in it: the shader knows that it
+// is first.
+Expected<void> makePartner(const FramePass& pass, FrameImages& images) {
+  if (pass.swaps_with.empty()) {
+    return {};
+  }
+  SSRKIT_CHECK(frameImageRow(pass.swaps_with).format == frameImageRow(pass.outputs.front()).format);
+  const auto image = images.get(pass.swaps_with);
+  return image ? Expected<void>{} : tl::make_unexpected(image.error());
 }
 
 UniformValues valuesOf(const FramePass& pass, const UniformValues& shared) {
@@ -117,17 +138,26 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
     }
     targets.push_back({*image, 0, std::nullopt});
   }
+  auto made = makePartner(pass.pass, images);
+  made = made ? makeBlueNoise(device, pass, images) : made;
+  if (!made) {
+    return tl::make_unexpected(made.error());
+  }
   const UniformValues own_values = valuesOf(pass.pass, values);
   if (pass.pass.fills_mips) {
     return drawMips(device, pass, *targets.front().image, *aliases, images, own_values);
   }
   const Size size = targets.front().image->desc().size;
-  return drawFullScreen(device, *pass.program,
-                        {.row = &pass.row,
-                         .targets = targets,
-                         .viewport = {0, 0, size.width, size.height},
-                         .aliases = *aliases},
-                        images, own_values);
+  auto time = drawFullScreen(device, *pass.program,
+                             {.row = &pass.row,
+                              .targets = targets,
+                              .viewport = {0, 0, size.width, size.height},
+                              .aliases = *aliases},
+                             images, own_values);
+  if (time && !pass.pass.swaps_with.empty()) {
+    images.swap(pass.pass.outputs.front(), pass.pass.swaps_with);
+  }
+  return time;
 }
 
 }  // namespace ssrkit

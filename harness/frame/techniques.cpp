@@ -5,6 +5,7 @@
 
 #include "frame/composite_techniques.h"
 #include "frame/find_row.h"
+#include "frame/rough_techniques.h"
 
 namespace ssrkit {
 
@@ -19,7 +20,8 @@ std::vector<Technique> joined(std::vector<std::vector<Technique>> families) {
 }
 
 const std::vector<Technique>& table() {
-  static const std::vector<Technique> rows = joined({compositeTechniques(), filterTechniques()});
+  static const std::vector<Technique> rows =
+      joined({compositeTechniques(), filterTechniques(), roughTechniques()});
   return rows;
 }
 
