@@ -3,8 +3,18 @@
 #include <algorithm>
 
 #include "frame/gbuffer_source.h"
+#include "frame/shadow_map.h"
 
 namespace ssrkit {
+
+namespace {
+
+bool readsShadowMap(const PreparedPass& pass) {
+  return std::ranges::any_of(pass.program->samplers,
+                             [](const SamplerBinding& sampler) { return sampler.name == "shadow_map"; });
+}
+
+}  // namespace
 
 Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSettings& settings,
                                              const FrameKind& kind, std::optional<DrawnScene> scene,
@@ -29,6 +39,15 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
     return tl::make_unexpected(prepared.error());
   }
   drawing.passes_ = std::move(*prepared);
+  drawing.reads_shadow_map_ = std::ranges::any_of(drawing.passes_, readsShadowMap);
+  if (scene && drawing.reads_shadow_map_) {
+    progress("compile shadow_map");
+    const auto program = programs.get(shadowMapPass(), settings);
+    if (!program) {
+      return tl::make_unexpected(program.error());
+    }
+    drawing.shadow_map_ = *program;
+  }
   return drawing;
 }
 
@@ -42,6 +61,9 @@ Expected<void> FrameDrawing::draw(Device& device, FrameImages& images, const Uni
     }
     times_.add("gbuffer", *time);
   }
+  if (const auto drawn = drawShadows(device, images, values, progress); !drawn) {
+    return drawn;
+  }
   for (const PreparedPass& pass : passes_) {
     progress("draw " + pass.pass.name);
     const auto time = drawPass(device, pass, images, values);
@@ -51,6 +73,24 @@ Expected<void> FrameDrawing::draw(Device& device, FrameImages& images, const Uni
     times_.add(pass.pass.name, *time);
   }
   times_.endRound();
+  return {};
+}
+
+Expected<void> FrameDrawing::drawShadows(Device& device, FrameImages& images, const UniformValues& values,
+                                         const Progress& progress) {
+  if (!reads_shadow_map_) {
+    return {};
+  }
+  if (!scene_) {
+    return clearShadowMap(device, images);
+  }
+  progress("draw shadow_map");
+  const auto time = drawShadowMap(device, *shadow_map_, scene_->shadow_cascade_count, *scene_->scene,
+                                  *scene_->resources, images, values);
+  if (!time) {
+    return tl::make_unexpected(time.error());
+  }
+  times_.add("shadow_map", *time);
   return {};
 }
 

@@ -21,6 +21,7 @@ namespace ssrkit {
 struct DrawnScene {
   const Scene* scene = nullptr;
   const SceneResources* resources = nullptr;
+  int shadow_cascade_count = 1;
 };
 
 class FrameDrawing {
@@ -39,8 +40,14 @@ class FrameDrawing {
   [[nodiscard]] const std::vector<PassReport>& times() const { return times_.reports(); }
 
  private:
+  // The shadow map, where a pass samples it; without a scene nothing casts a shadow.
+  [[nodiscard]] Expected<void> drawShadows(Device& device, FrameImages& images, const UniformValues& values,
+                                           const Progress& progress);
+
   std::optional<DrawnScene> scene_;
   const Program* gbuffer_ = nullptr;
+  bool reads_shadow_map_ = false;
+  const Program* shadow_map_ = nullptr;
   std::vector<PreparedPass> passes_;
   PassTimes times_;
 };

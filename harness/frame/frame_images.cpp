@@ -55,6 +55,15 @@ const std::vector<FrameImageRow>& table() {
        .clear = {1, 0, 0, 0}},
       // The frame's.
       {.name = "lit", .format = kRgba16f, .channels = rgb, .folder = "."},
+      {.name = "shadow", .format = kR32f, .channels = {"V"}, .folder = "."},
+      {.name = "ao", .format = kR32f, .channels = {"V"}, .folder = "."},
+      {.name = "ao_noisy", .format = kRg32f},
+      {.name = "ao_blurred", .format = kRg32f},
+      // What a packed G-buffer would hold, and what tracers read of it.
+      {.name = "normal_octahedral", .format = kRg16i},
+      {.name = "normal_xy_sign", .format = kRgba16ui},
+      {.name = "normal_unpacked", .format = kRgba32f, .channels = rgba},
+      {.name = "dist_unpacked", .format = kR32f, .channels = {"Z"}},
       // A trace's.
       {.name = "hit_texel", .format = kRg16i},
       {.name = "hit_point", .format = kRgba32f},

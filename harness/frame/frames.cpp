@@ -6,6 +6,10 @@ namespace ssrkit {
 
 namespace {
 
+// Metres within which surfaces shade each other, how far a column goes on, and points a pixel.
+const std::map<std::string, UniformConstant> kAo = {
+    {"ao_radius_m", 0.5}, {"ao_thickness_m", 0.5}, {"ao_sample_count", 8}};
+
 const std::vector<FrameKind>& table() {
   static const std::vector<FrameKind> rows = {
       {.name = "basic",
@@ -14,7 +18,18 @@ const std::vector<FrameKind>& table() {
        .technique = "mirror"},
       {.name = "full",
        .about = "the whole frame, with everything that a technique may read",
-       .passes = {{.name = "light", .outputs = {"lit"}}},
+       .passes = {{.name = "shadow", .outputs = {"shadow"}},
+                  {.name = "ao", .outputs = {"ao_noisy"}, .constants = kAo},
+                  {.name = "ao_blur_across",
+                   .outputs = {"ao_blurred"},
+                   .constants = {{"ao_blur_down", 0}},
+                   .shader = "ao_blur.frag"},
+                  {.name = "ao_blur_down",
+                   .outputs = {"ao"},
+                   .inputs = {{"ao_noisy", "ao_blurred"}},
+                   .constants = {{"ao_blur_down", 1}},
+                   .shader = "ao_blur.frag"},
+                  {.name = "light", .outputs = {"lit"}}},
        .technique = "mirror"},
   };
   return rows;

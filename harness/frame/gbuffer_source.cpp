@@ -1,5 +1,6 @@
 #include "frame/gbuffer_source.h"
 
+#include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
 
 namespace ssrkit {
@@ -12,19 +13,6 @@ std::vector<Format> gbufferFormats() {
     formats.push_back(row.format);
   }
   return formats;
-}
-
-// The samplers whose image changes from material to material.
-std::vector<SampledImage> rangeTextures(const Program& program, const Scene& scene,
-                                        const SceneResources& resources, int material_index) {
-  std::vector<SampledImage> sampled;
-  for (const SamplerBinding& sampler : program.samplers) {
-    if (sampler.name != "material_table") {
-      sampled.push_back(materialTexture(resources, scene, material_index, sampler.name));
-      sampled.back().binding = sampler.binding;
-    }
-  }
-  return sampled;
 }
 
 }  // namespace
@@ -43,16 +31,10 @@ const PassRow& gbufferPass() {
 Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Scene& scene,
                                const SceneResources& resources, FrameImages& images,
                                const UniformValues& values) {
-  PassDesc pass{.name = "gbuffer",
-                .program = program.device_program.get(),
-                .sampled = {},
-                .uniform_binding = 0,
-                .uniforms = {},
-                .vertices = resources.vertices.get(),
-                .colour = {},
-                .depth = std::nullopt,
-                .viewport = {0, 0, images.size().width, images.size().height},
-                .draws = {}};
+  GeometryPass pass{.row = &gbufferPass(),
+                    .colour = {},
+                    .depth = {},
+                    .viewport = {0, 0, images.size().width, images.size().height}};
   for (const FrameImageRow& row : gbufferImages()) {
     const auto image = images.get(row.name);
     if (!image) {
@@ -64,28 +46,8 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
   if (!depth) {
     return tl::make_unexpected(depth.error());
   }
-  pass.depth = Attachment{*depth, 0, frameImageRow("depth_window").clear};
-  std::vector<std::byte> uniforms;
-  if (program.uniform_block) {
-    auto packed = values.pack(*program.uniform_block, program.shader);
-    if (!packed) {
-      return tl::make_unexpected(packed.error());
-    }
-    uniforms = std::move(*packed);
-    pass.uniform_binding = program.uniform_block->binding;
-    pass.uniforms = uniforms;
-  }
-  for (const SamplerBinding& sampler : program.samplers) {
-    if (sampler.name == "material_table") {
-      pass.sampled.push_back({.binding = sampler.binding, .image = resources.material_table.get()});
-    }
-  }
-  for (const DrawRange& range : scene.ranges) {
-    pass.draws.push_back({.first_vertex = range.first_vertex,
-                          .vertex_count = range.vertex_count,
-                          .sampled = rangeTextures(program, scene, resources, range.material_index)});
-  }
-  return device.draw(pass);
+  pass.depth = {*depth, 0, frameImageRow("depth_window").clear};
+  return drawGeometry(device, program, pass, scene, resources, values);
 }
 
 Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,

@@ -11,6 +11,7 @@
 #include "frame/frames.h"
 #include "frame/gbuffer_source.h"
 #include "frame/pyramid.h"
+#include "frame/shadow_map.h"
 #include "frame/stages.h"
 #include "frame/techniques.h"
 #include "frame/tracing.h"
@@ -21,7 +22,8 @@ namespace {
 
 // Every pass, and a stage's name for its trace shaders.
 std::vector<std::string> replaceableNames() {
-  std::vector<std::string> names = {gbufferPass().name, pyramidBasePass().name, pyramidReducePass().name};
+  std::vector<std::string> names = {gbufferPass().name, shadowMapPass().name, pyramidBasePass().name,
+                                    pyramidReducePass().name};
   const auto add = [&names](const std::vector<FramePass>& passes) {
     for (const FramePass& pass : passes) {
       if (std::ranges::find(names, pass.name) == names.end()) {

@@ -5,11 +5,13 @@
 #include <map>
 #include <optional>
 
+#include "base/check.h"
 #include "base/text.h"
 #include "frame/frame_drawing.h"
 #include "frame/gbuffer_source.h"
 #include "frame/image_transfer.h"
 #include "frame/replacements.h"
+#include "frame/shadow_map.h"
 #include "frame/tracing.h"
 #include "scene/load.h"
 
@@ -103,7 +105,9 @@ Expected<std::optional<DrawnScene>> JobRunner::Impl::scene(const Job& job, const
   result.notes = (*scene)->scene.notes;
   setCameraUniforms(values, result.camera);
   setLightUniforms(values, (*scene)->scene, result.camera.view_from_world);
-  return DrawnScene{.scene = &(*scene)->scene, .resources = &(*scene)->resources};
+  return DrawnScene{.scene = &(*scene)->scene,
+                    .resources = &(*scene)->resources,
+                    .shadow_cascade_count = setShadowUniforms(values, (*scene)->scene, result.camera)};
 }
 
 // The names of the images that were given.
@@ -113,6 +117,8 @@ Expected<std::vector<std::string>> JobRunner::Impl::upload(const Job& job, const
   result.camera = *job.gbuffer_camera;
   setCameraUniforms(values, result.camera);
   setLightUniforms(values, defaultLight(), result.camera.view_from_world);
+  // Nothing casts a shadow: there is one empty cascade.
+  SSRKIT_CHECK_EQ(setShadowUniforms(values, defaultLight(), result.camera), 1);
   if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
     return tl::make_unexpected(uploaded.error());
   }

@@ -1,0 +1,18 @@
+// Reads normals stored as xy and sign back into the form that the tracers read.
+//
+// In: normal_xy_sign; normal_view for its alpha alone (the clearance, which a packed G-buffer keeps elsewhere).
+// Out: normal_unpacked, xyz unit, a clearance.
+#version 450
+#include "normal_encoding.glsl"
+
+layout(binding = 1) uniform usampler2D normal_xy_sign;
+layout(binding = 2) uniform sampler2D normal_view;
+
+layout(location = 0) out vec4 normal_unpacked;
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  uvec4 stored = texelFetch(normal_xy_sign, texel, 0);
+  vec3 normal = normal_from_xy_sign(ivec2(stored.xy) - ivec2(SNORM16_MAX), stored.a > 0u);
+  normal_unpacked = vec4(normal, texelFetch(normal_view, texel, 0).a);
+}
