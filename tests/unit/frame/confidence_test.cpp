@@ -219,6 +219,7 @@ TEST_P(ConfidenceTest, FactorsMultiply) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<Ray> rays;
+  rays.reserve(static_cast<std::size_t>(kSize.width));
   for (int x = 0; x < kSize.width; ++x) {
     rays.push_back({.point = {256.0 * unit(random), 4.0 * unit(random), 12.0 * unit(random)},
                     .texel = {100, 2},

@@ -161,7 +161,7 @@ Texel filledHole(const std::vector<Image>& mips, double u, double v) {
     known_around = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
       const double column = std::floor(at_x + 1e-9) + corner % 2;
-      const double row = std::floor(at_y + 1e-9) + corner / 2;
+      const double row = std::floor(at_y + 1e-9) + (corner < 2 ? 0 : 1);
       const double near = (1.0 - std::abs(at_x - column)) * (1.0 - std::abs(at_y - row));
       const int x = std::clamp(static_cast<int>(column), 0, known.size.width - 1);
       const int y = std::clamp(static_cast<int>(row), 0, known.size.height - 1);
