@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/size.h"
+#include "check/geometry_verdict.h"
 #include "check/metric_table.h"
 #include "check/verdict.h"
 
@@ -42,14 +43,16 @@ struct Expectation {
   Truth truth;
   std::optional<double> max;
   std::optional<double> min;
-  double percentile = 100.0;        // 100: the largest
-  double margin = 0.05;             // of the bound: a measured ratio fails only beyond bound * (1 + margin)
-  std::vector<Verdict> verdicts;    // the verdicts that verdict_count and verdict_share count
-  std::vector<std::string> ignore;  // fields of the record that `identical` leaves out
-  std::vector<std::string> passes;  // passes whose times are summed
-  std::vector<std::string> over;    // pass_cpu_share: the passes they are divided by
-  bool allow_empty = false;         // an image without a single ray passes
-  std::string where;                // "tests/expect/hiz.toml:12:1"
+  double percentile = 100.0;      // 100: the largest
+  double margin = 0.05;           // of the bound: a measured ratio fails only beyond bound * (1 + margin)
+  std::vector<Verdict> verdicts;  // the verdicts that verdict_count and verdict_share count
+  std::vector<TrueClass> true_classes;             // the rays that the truth `geometry` counts
+  std::vector<GeometryVerdict> geometry_verdicts;  // the verdicts of true_verdict_share
+  std::vector<std::string> ignore;                 // fields of the record that `identical` leaves out
+  std::vector<std::string> passes;                 // passes whose times are summed
+  std::vector<std::string> over;                   // pass_cpu_share: the passes they are divided by
+  bool allow_empty = false;                        // an image without a single ray passes
+  std::string where;                               // "tests/expect/hiz.toml:12:1"
 };
 
 // One file.

@@ -25,6 +25,7 @@ bool isTruthItself(const Truth& truth, const Answer& answer) {
       return answer.input.empty();
     case TruthKind::kNone:
     case TruthKind::kOracle:
+    case TruthKind::kGeometry:
     case TruthKind::kClosedForm:
       return false;
   }

@@ -12,7 +12,14 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
     case Metric::kVerdictShare:
       return measureVerdicts(expectation, subject);
     case Metric::kHitPositionPx:
-      return measureHitPosition(expectation, subject);
+      return expectation.truth.kind == TruthKind::kGeometry ? measureTrueHitError(expectation, subject)
+                                                            : measureHitPosition(expectation, subject);
+    case Metric::kTrueClassShare:
+      return measureTrueClasses(expectation, subject);
+    case Metric::kTrueVerdictShare:
+      return measureGeometryVerdicts(expectation, subject);
+    case Metric::kHitDistanceError:
+      return measureTrueHitError(expectation, subject);
     case Metric::kClosedForm:
     case Metric::kClosedFormLookups:
       return measureClosedForm(expectation, subject);

@@ -18,6 +18,11 @@ namespace ssrkit {
 [[nodiscard]] Measurement measureHitPosition(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject);
 
+// measure_geometry.cpp: held against the true geometry.
+[[nodiscard]] Measurement measureTrueClasses(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureGeometryVerdicts(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureTrueHitError(const Expectation& expectation, const Subject& subject);
+
 // measure_closed_form.cpp
 [[nodiscard]] Measurement measureClosedForm(const Expectation& expectation, const Subject& subject);
 

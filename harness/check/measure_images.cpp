@@ -44,6 +44,15 @@ double error(float yours, float expected, bool relative) {
 
 ImagePair pairImages(const Expectation& expectation, const Subject& subject) {
   ImagePair pair;
+  if (expectation.truth.kind == TruthKind::kGeometry) {
+    pair.yours = imageOf(*subject.self, expectation.buffer);
+    pair.expected = subject.self->true_dist_view;
+    if (pair.yours == nullptr || pair.expected == nullptr) {
+      pair.problem = fmt::format("{} of {} is not known",
+                                 pair.yours == nullptr ? "dist_view" : "the geometry", subject.self->device);
+    }
+    return pair;
+  }
   const auto answer = answerOfTruth(subject, expectation.truth);
   if (const auto* problem = std::get_if<std::string>(&answer)) {
     pair.problem = *problem;

@@ -37,7 +37,7 @@ std::vector<MetricRow> rowsAgainstTruth() {
       {.metric = M::kHitPositionPx,
        .name = "hit_position_px",
        .unit = "px",
-       .truths = {kOracle, kStage, kCross, kRendered, kCase},
+       .truths = {kOracle, kStage, kCross, kRendered, kCase, kGeometry},
        .keys = {"percentile"}},
       {.metric = M::kClosedForm,
        .name = "closed_form",
@@ -59,14 +59,14 @@ std::vector<MetricRow> rowsAgainstTruth() {
       {.metric = M::kCoverageFlips,
        .name = "coverage_flips",
        .unit = "pixels",
-       .truths = {kCross, kRendered},
+       .truths = {kCross, kRendered, kGeometry},
        .on_record = false,
        .on_image = true,
        .zero_by_default = true},
       {.metric = M::kRelativeError,
        .name = "relative_error",
        .unit = "ratio",
-       .truths = kOtherAnswers,
+       .truths = {kCross, kStage, kRendered, kCase, kGeometry},
        .keys = {"percentile"},
        .on_record = false,
        .on_image = true},
@@ -82,6 +82,25 @@ std::vector<MetricRow> rowsAgainstTruth() {
        .unit = "flips per million pixels",
        .truths = kOtherAnswers},
   };
+}
+
+std::vector<MetricRow> rowsAgainstGeometry() {
+  using M = Metric;
+  return {{.metric = M::kTrueClassShare,
+           .name = "true_class_share",
+           .unit = "share",
+           .truths = {kGeometry},
+           .keys = {"true_classes"}},
+          {.metric = M::kTrueVerdictShare,
+           .name = "true_verdict_share",
+           .unit = "share",
+           .truths = {kGeometry},
+           .keys = {"verdicts", "true_classes"}},
+          {.metric = M::kHitDistanceError,
+           .name = "hit_distance_error",
+           .unit = "ratio",
+           .truths = {kGeometry},
+           .keys = {"percentile"}}};
 }
 
 std::vector<MetricRow> rowsOfCost() {
@@ -139,7 +158,7 @@ std::vector<MetricRow> rowsOfProperties() {
 
 std::vector<MetricRow> makeRows() {
   std::vector<MetricRow> rows = rowsAgainstTruth();
-  for (const auto& more : {rowsOfCost(), rowsOfProperties()}) {
+  for (const auto& more : {rowsAgainstGeometry(), rowsOfCost(), rowsOfProperties()}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

@@ -23,6 +23,9 @@ enum class Metric : std::uint8_t {
   kRelativeError,
   kAbsoluteError,
   kMaskFlipsPerMillion,
+  kTrueClassShare,
+  kTrueVerdictShare,
+  kHitDistanceError,
   kMeanLookups,
   kP95Lookups,
   kMaxLookups,
@@ -43,6 +46,7 @@ enum class Metric : std::uint8_t {
 enum class TruthKind : std::uint8_t {
   kNone,        // the answer is judged by itself
   kOracle,      // Oracle A over the same depth image
+  kGeometry,    // Oracle B: the scene's triangles
   kClosedForm,  // a formula, for the scenes that have one
   kRendered,    // the same device's answer over the G-buffer that it rendered itself
   kCross,       // the same stage on another device

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "check/field_reader.h"
+#include "check/read_metric_keys.h"
 
 namespace ssrkit {
 
@@ -22,13 +23,10 @@ struct TruthWord {
 
 const std::vector<TruthWord>& truthWords() {
   static const std::vector<TruthWord> words = {
-      {TruthKind::kNone, "none"},
-      {TruthKind::kOracle, "oracle"},
-      {TruthKind::kClosedForm, "closed-form"},
-      {TruthKind::kRendered, "rendered"},
-      {TruthKind::kCross, "cross:"},
-      {TruthKind::kStage, "stage:"},
-      {TruthKind::kCase, "case:"},
+      {TruthKind::kNone, "none"},         {TruthKind::kOracle, "oracle"},
+      {TruthKind::kGeometry, "geometry"}, {TruthKind::kClosedForm, "closed-form"},
+      {TruthKind::kRendered, "rendered"}, {TruthKind::kCross, "cross:"},
+      {TruthKind::kStage, "stage:"},      {TruthKind::kCase, "case:"},
       {TruthKind::kSize, "size:"},
   };
   return words;
@@ -94,6 +92,11 @@ void readTruth(FieldReader& fields, const MetricRow& metric_row, const TestFile&
     fields.requireKnown("truth", truth->name, "case", caseNames(test));
   } else if (truth->kind == TruthKind::kSize && !parseSize(truth->name)) {
     fields.complain("truth", fmt::format("'{}' is no size", truth->name), "write it as \"size:1280x720\"");
+  } else if (truth->kind == TruthKind::kGeometry && !metric_row.on_record &&
+             expectation.buffer != "dist_view") {
+    fields.complain("buffer",
+                    fmt::format("the truth 'geometry' does not know the buffer '{}'", expectation.buffer),
+                    "of the images it knows dist_view alone");
   }
 }
 
@@ -158,38 +161,6 @@ void readBounds(FieldReader& fields, const MetricRow& metric_row, Expectation& e
   if (unit && *unit != metric_row.unit) {
     fields.complain("unit", fmt::format("the metric '{}' is in '{}', not in '{}'", metric_row.name,
                                         metric_row.unit, *unit));
-  }
-}
-
-void readMetricKeys(FieldReader& fields, const MetricRow& metric_row, const TestFile& test,
-                    Expectation& expectation) {
-  expectation.percentile = fields.number("percentile", 0.0, 100.0).value_or(100.0);
-  expectation.margin = fields.number("margin", 0.0, 10.0).value_or(expectation.margin);
-  static const std::vector<std::string> record_fields = {"texel", "px", "t_m", "class", "lookups", "steps"};
-  expectation.ignore = fields.optionalTexts("ignore");
-  for (const std::string& field : expectation.ignore) {
-    fields.requireKnown("ignore", field, "field of the record", record_fields);
-  }
-  if (takesKey(metric_row, "verdicts")) {
-    static const std::vector<std::string> verdict_names = {"SAME",       "NEAR", "WRONG",    "FALSE_HIT",
-                                                           "MISSED_HIT", "LEAK", "AMBIGUOUS"};
-    for (const std::string& word : fields.texts("verdicts")) {
-      fields.requireKnown("verdicts", word, "verdict", verdict_names);
-      expectation.verdicts.push_back(verdictFromName(word).value_or(Verdict::kNone));
-    }
-  }
-  expectation.passes = fields.optionalTexts("passes");
-  expectation.over = fields.optionalTexts("over");
-  if (metric_row.metric == Metric::kCpuRatio && expectation.passes.empty()) {
-    expectation.passes = {"trace"};
-  }
-  if (metric_row.timed && test.rounds == 0) {
-    fields.complain("metric", fmt::format("the metric '{}' needs timings", metric_row.name),
-                    "add rounds = 15 to [test]");
-  }
-  if (metric_row.metric == Metric::kPassCpuShare) {
-    expectation.passes = fields.texts("passes");
-    expectation.over = fields.texts("over");
   }
 }
 

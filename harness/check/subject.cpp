@@ -55,6 +55,7 @@ std::variant<const Answer*, std::string> answerOfTruth(const Subject& subject, c
       break;
     case TruthKind::kNone:
     case TruthKind::kOracle:
+    case TruthKind::kGeometry:
     case TruthKind::kClosedForm:
       return fmt::format("'{}' is no answer of a tracer", truthText(truth));
   }

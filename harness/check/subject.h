@@ -12,6 +12,7 @@
 #include "check/expectation.h"
 #include "image/image.h"
 #include "image/ray_record.h"
+#include "oracle/geometry.h"
 #include "oracle/oracle.h"
 #include "spaces/trace_parameters.h"
 
@@ -35,6 +36,8 @@ struct Answer {
   const RayRecord* record = nullptr;
   const OracleInput* oracle_input = nullptr;   // over the very depth image that this stage read
   const OracleResult* oracle = nullptr;        // may be absent
+  const GeometryResult* geometry = nullptr;    // likewise; traced from oracle_input
+  const Image* true_dist_view = nullptr;       // of the frame; likewise
   std::map<std::string, const Image*> images;  // by buffer: "dist_view", "lit", "composite"
   // By pass: one sample a round. All stages' rounds are interleaved: sample i of each was taken in the same
   // round.

@@ -85,7 +85,7 @@ void addTruths(CellRun& cell) {
         cell.error = result.error();
         return;
       }
-      cell.truths.push_back({input, std::move(*result)});
+      cell.truths.push_back({input, std::move(*result), nullptr});
       truth = std::prev(cell.truths.end());
     }
     cell.truth_of_trace[i] = &*truth;
@@ -100,6 +100,7 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
   frame.device = cell.device;
   frame.size = cell.size;
   frame.input = cell.input;
+  frame.true_dist_view = cell.true_dist_view ? &*cell.true_dist_view : nullptr;
   for (const auto& [name, image] : cell.result->images) {
     frame.images.emplace(name, &image);
   }
@@ -114,6 +115,7 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
     if (const CellRun::Truth* truth = cell.truth_of_trace[i]) {
       answer.oracle_input = &truth->input;
       answer.oracle = &truth->result;
+      answer.geometry = truth->geometry;
     }
     for (const auto& [name, image] : trace.images) {
       answer.images.insert_or_assign(name, &image);

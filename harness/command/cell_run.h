@@ -9,6 +9,7 @@
 #include "check/check_result.h"
 #include "check/subject.h"
 #include "frame/job.h"
+#include "oracle/geometry.h"
 #include "oracle/oracle.h"
 #include "worker/supervisor.h"
 
@@ -27,8 +28,11 @@ struct CellRun {
   struct Truth {
     OracleInput input;
     OracleResult result;
+    const GeometryResult* geometry = nullptr;  // Oracle B's, null where it was not asked
   };
   std::deque<Truth> truths;
+  std::deque<GeometryResult> geometries;     // by the parameters that Oracle B depends on; stable addresses
+  std::optional<Image> true_dist_view;       // where a check is held against it
   std::vector<const Truth*> truth_of_trace;  // one a trace, null where no oracle was asked for
   std::vector<std::string> case_of_trace;
 };

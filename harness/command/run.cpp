@@ -23,8 +23,11 @@
 #include "command/progress_line.h"
 #include "command/run_files.h"
 #include "command/run_request.h"
+#include "command/run_rows.h"
+#include "command/scene_geometry.h"
 #include "command/suite.h"
 #include "frame/stages.h"
+#include "report/geometry_table.h"
 #include "report/pass_table.h"
 #include "report/results_json.h"
 #include "report/table.h"
@@ -92,6 +95,12 @@ void print(const RunReport& report, const RunOptions& options) {
   if (!options.frame.empty() || !options.techniques.empty()) {
     fmt::print("\n{}", passTable(report.frames, report.rows));
   }
+  if (!report.geometries.empty()) {
+    const bool is_one_scene = report.geometries.size() == 1;
+    fmt::print("\nWhat screen space can and cannot know (docs/techniques.md)\n{}{}",
+               geometryTable(report.geometries),
+               is_one_scene ? "\n" + trueClassTable(report.rows) : std::string());
+  }
   printFailures(report.checks);
   std::vector<Outcome> outcomes;
   for (const CheckResult& check : report.checks) {
@@ -116,6 +125,7 @@ void collect(const SceneRun& run, const std::vector<RunRow>& rows, Findings& fin
       findings.errors.insert(sentence(*cell.error));
     }
     if (cell.result) {
+      std::ranges::move(geometryRows(cell, run.source->name), std::back_inserter(report.geometries));
       report.frames.push_back({run.source->name, cell.device, cell.size, cell.result->frame_passes});
       for (const std::string& note : cell.result->notes) {
         findings.notes.insert(fmt::format("{}: {}", run.source->name, note));
@@ -189,6 +199,7 @@ Expected<int> runCommand(const RunOptions& options) {
                               .replacements = request->replacements,
                               .limits = {},
                               .always_oracle = true,
+                              .geometry_of_first_device = true,
                               .command = fmt::format("{}", fmt::join(options.command, " ")),
                               .progress = [&](const std::string& text) { progress.show(text); }});
   auto done = suite ? prepareFolder(options.out) : tl::make_unexpected(suite.error());

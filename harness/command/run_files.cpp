@@ -9,12 +9,15 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "check/geometry_image.h"
 #include "command/parameters_file.h"
+#include "command/run_rows.h"
 #include "frame/frame_images.h"
 #include "image/colour_map.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "report/contact_sheet.h"
+#include "report/geometry_picture.h"
 #include "spaces/camera_json.h"
 
 namespace ssrkit {
@@ -65,12 +68,6 @@ Image colourFile(const Image& composite, const Image& reflection) {
     std::copy_n(reflection.data.data() + 4 * texel, 4, colour.data.data() + 7 * texel + 3);
   }
   return colour;
-}
-
-std::vector<Verdict> verdictsOf(const CellRun& cell, std::size_t trace) {
-  const CellRun::Truth* truth = cell.truth_of_trace.empty() ? nullptr : cell.truth_of_trace[trace];
-  return truth == nullptr ? std::vector<Verdict>{}
-                          : compareWithOracle(cell.result->traces[trace].record, truth->result, truth->input);
 }
 
 std::string thicknessText(const TraceParameters& parameters) {
@@ -160,45 +157,22 @@ void addCellWrites(const std::filesystem::path& folder, const CellRun& cell, con
   }
 }
 
-Outcome worstOutcome(const SceneRun& run, const CellRun& cell, const TraceResult& trace) {
-  Outcome worst = Outcome::kPass;
-  for (const CheckResult& check : run.checks) {
-    const bool concerns = check.device == cell.device && check.size == cell.size &&
-                          (check.stage == trace.stage || check.stage.empty());
-    if (!concerns) {
-      continue;
-    }
-    const bool is_worse = isFailure(check.outcome)
-                              ? !isFailure(worst)
-                              : worst == Outcome::kPass && check.outcome != Outcome::kPass;
-    worst = is_worse ? check.outcome : worst;
+// The oracles' answers over the first device's G-buffer.
+void addOracleWrites(const std::filesystem::path& folder, const CellRun::Truth& truth, const Image& lit,
+                     std::vector<Write>& writes) {
+  writes.push_back([=, &truth] { return writeExr(folder / "hit.exr", toImage(truth.result.record)); });
+  if (truth.geometry != nullptr) {
+    writes.push_back([=, &truth] {
+      const auto verdicts = compareWithGeometry(truth.result.record, *truth.geometry, truth.input);
+      return writeExr(folder / "geometry.exr", toImage(*truth.geometry, verdicts));
+    });
+    writes.push_back([=, &truth, &lit] {
+      return writePng(folder / "geometry.png", geometryPicture(*truth.geometry, lit));
+    });
   }
-  return worst;
 }
 
 }  // namespace
-
-std::vector<RunRow> runRows(const SceneRun& run) {
-  std::vector<RunRow> rows;
-  for (const CellRun& cell : run.cells) {
-    if (!cell.result) {
-      continue;
-    }
-    for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
-      const TraceResult& trace = cell.result->traces[i];
-      rows.push_back({.scene = run.source->name,
-                      .device = cell.device,
-                      .stage = trace.stage,
-                      .case_name = cell.case_of_trace[i],
-                      .size = cell.size,
-                      .parameters = trace.parameters,
-                      .outcome = worstOutcome(run, cell, trace),
-                      .summary = summarise(trace.record, verdictsOf(cell, i)),
-                      .passes = trace.passes});
-    }
-  }
-  return rows;
-}
 
 Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneRun& run,
                                const std::vector<RunRow>& rows) {
@@ -217,11 +191,8 @@ Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneR
       });
       writes.push_back(
           [&run, scene_folder] { return writeParametersFile(scene_folder, run.source->defaults); });
-      // The oracle's answer over the first device's G-buffer.
       if (!cell.truths.empty()) {
-        writes.push_back([&cell, scene_folder] {
-          return writeExr(scene_folder / "oracle" / "hit.exr", toImage(cell.truths.front().result.record));
-        });
+        addOracleWrites(scene_folder / "oracle", cell.truths.front(), cell.result->images.at("lit"), writes);
       }
     }
   }

@@ -13,7 +13,4 @@ namespace ssrkit {
 [[nodiscard]] Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneRun& run,
                                              const std::vector<RunRow>& rows);
 
-// One row a trace, with the worst outcome of its checks.
-[[nodiscard]] std::vector<RunRow> runRows(const SceneRun& run);
-
 }  // namespace ssrkit

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/judge.h"
+#include "command/scene_geometry.h"
 #include "frame/stages.h"
 #include "scene/defaults.h"
 #include "scene/find_scene.h"
@@ -18,7 +19,15 @@ namespace {
 
 bool needsOracle(const TestFile& test) {
   return std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
-    return expectation.truth.kind == TruthKind::kOracle || expectation.metric == Metric::kConvergence;
+    return expectation.truth.kind == TruthKind::kOracle || expectation.metric == Metric::kConvergence ||
+           expectation.truth.kind == TruthKind::kGeometry;
+  });
+}
+
+// Of the records, or of the image dist_view.
+bool needsGeometry(const TestFile& test, bool of_record) {
+  return std::ranges::any_of(test.expectations, [&](const Expectation& expectation) {
+    return expectation.truth.kind == TruthKind::kGeometry && (expectation.buffer == "hit") == of_record;
   });
 }
 
@@ -141,12 +150,19 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
     }
   }
   const bool wants_oracle = options_.always_oracle || needsOracle(test);
+  const bool wants_depth = needsGeometry(test, false);
+  const bool wants_geometry = needsGeometry(test, true) || wants_depth;
+  SceneGeometry geometry(source.file);
   for (CellRun& cell : run.cells) {
     if (cell.result) {
       cell.truth_of_trace.assign(cell.result->traces.size(), nullptr);
     }
     if (wants_oracle) {
       addTruths(cell);
+    }
+    const bool is_first = options_.geometry_of_first_device && &cell == &run.cells.front();
+    if (source.gbuffer == nullptr && (wants_geometry || is_first)) {
+      addGeometry(cell, geometry, wants_depth);
     }
     addAnswers(cell, run.answers);
   }

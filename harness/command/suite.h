@@ -47,7 +47,8 @@ struct SuiteOptions {
   std::vector<ShaderReplacement> replacements;
   JobLimits limits;
   bool always_oracle = false;
-  std::string command;  // what the user typed, for the rerun line
+  bool geometry_of_first_device = false;  // Oracle B too, over the first device's G-buffer
+  std::string command;                    // what the user typed, for the rerun line
   std::function<void(const std::string&)> progress;
 };
 

@@ -85,6 +85,7 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
                               .replacements = {},
                               .limits = {},
                               .always_oracle = false,
+                              .geometry_of_first_device = false,
                               .command = "",
                               .progress = [&](const std::string& text) { progress.show(text); }});
   if (!suite) {

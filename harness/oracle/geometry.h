@@ -42,9 +42,9 @@ struct PlaneInImage {
 // What the ray of one pixel meets.
 struct TrueRay {
   TrueClass true_class = TrueClass::kNone;
-  double t_m = -1.0;        // metres along the ray; -1 where it meets nothing
-  double dist_view = -1.0;  // of the point it meets, negative behind the camera; -1 where it meets nothing
-  PlaneInImage plane;       // of points before the camera
+  double t_m = -1.0;       // metres along the ray; -1 where it meets nothing
+  double dist_view = 0.0;  // of the met point, negative behind the camera; 0 where it meets nothing
+  PlaneInImage plane;      // where dist_view is over 0
 };
 
 struct GeometryResult {

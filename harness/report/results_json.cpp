@@ -123,6 +123,39 @@ Json verdictsOf(const VerdictCounts& verdicts) {
   return json;
 }
 
+Json verdictsOf(const GeometryCounts& counts, std::size_t true_class) {
+  Json json = Json::object();
+  for (std::size_t i = 1; i < kGeometryVerdictCount; ++i) {
+    json[name(static_cast<GeometryVerdict>(i))] = counts.verdicts.at(true_class).at(i);
+  }
+  return json;
+}
+
+Json trueClassesOf(const TrueClassSummary& summary) {
+  Json json = Json::object();
+  for (std::size_t i = 1; i < kTrueClassCount; ++i) {
+    json[name(static_cast<TrueClass>(i))] = {{"rays", summary.geometry.rays.at(i)},
+                                             {"oracle", verdictsOf(summary.against_oracle.at(i))},
+                                             {"geometry", verdictsOf(summary.geometry, i)}};
+  }
+  return json;
+}
+
+Json geometryOf(const GeometryRow& row) {
+  Json classes = Json::object();
+  for (std::size_t i = 1; i < kTrueClassCount; ++i) {
+    classes[name(static_cast<TrueClass>(i))] = {{"rays", row.counts.rays.at(i)},
+                                                {"oracle", verdictsOf(row.counts, i)}};
+  }
+  return {{"scene", row.scene},
+          {"device", row.device},
+          {"size", sizeOf(row.size)},
+          {"case", row.case_name},
+          {"parameters", parametersOf(row.parameters)},
+          {"rays", row.counts.rayCount()},
+          {"true_classes", std::move(classes)}};
+}
+
 Json traceOf(const RunRow& row) {
   Json json = {{"scene", row.scene},
                {"device", row.device},
@@ -134,6 +167,7 @@ Json traceOf(const RunRow& row) {
                {"classes", nullptr},
                {"lookups", nullptr},
                {"verdicts", nullptr},
+               {"true_classes", row.true_classes ? trueClassesOf(*row.true_classes) : Json(nullptr)},
                {"passes", passesOf(row.passes)}};
   if (row.summary) {
     const LookupSummary& lookups = row.summary->lookups;
@@ -187,7 +221,8 @@ std::string resultsJson(const RunReport& report) {
       {"devices", listOf(report.devices, deviceOf)},
       {"checks", listOf(report.checks, [&](const CheckResult& check) { return checkOf(check, report); })},
       {"traces", listOf(report.rows, traceOf)},
-      {"frames", listOf(report.frames, frameOf)}};
+      {"frames", listOf(report.frames, frameOf)},
+      {"geometry", listOf(report.geometries, geometryOf)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/size.h"
 #include "check/check_result.h"
+#include "check/geometry_verdict.h"
 #include "check/outcome.h"
 #include "check/verdict.h"
 #include "device/device.h"
@@ -40,6 +41,17 @@ struct TraceSummary {
 // `verdicts` has one entry a pixel, or none at all without an oracle.
 [[nodiscard]] TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdicts);
 
+// The rays of one trace by what they truly meet.
+struct TrueClassSummary {
+  GeometryCounts geometry;                                      // and their verdicts against it
+  std::array<VerdictCounts, kTrueClassCount> against_oracle{};  // and against Oracle A
+};
+
+// One entry a pixel each.
+[[nodiscard]] TrueClassSummary summarise(const GeometryResult& geometry,
+                                         std::span<const GeometryVerdict> against_geometry,
+                                         std::span<const Verdict> against_oracle);
+
 // One trace: scene x size x case x stage x device.
 struct RunRow {
   std::string scene;
@@ -47,9 +59,10 @@ struct RunRow {
   std::string stage;
   std::string case_name;  // as in CheckResult: empty for the only case
   Size size;
-  TraceParameters parameters;           // as used
-  Outcome outcome = Outcome::kError;    // the worst of the trace's checks
-  std::optional<TraceSummary> summary;  // none when the trace never came back
+  TraceParameters parameters;                    // as used
+  Outcome outcome = Outcome::kError;             // the worst of the trace's checks
+  std::optional<TraceSummary> summary;           // none when the trace never came back
+  std::optional<TrueClassSummary> true_classes;  // none where Oracle B was not asked
   std::vector<PassReport> passes;
 };
 
@@ -59,6 +72,16 @@ struct FrameRow {
   std::string device;
   Size size;
   std::vector<PassReport> passes;
+};
+
+// What the rays of one scene truly meet, and what Oracle A makes of it.
+struct GeometryRow {
+  std::string scene;
+  std::string device;
+  Size size;
+  std::string case_name;
+  TraceParameters parameters;  // those that the oracles depend on
+  GeometryCounts counts;
 };
 
 struct DeviceRow {
@@ -74,6 +97,7 @@ struct RunReport {
   std::vector<CheckResult> checks;
   std::vector<RunRow> rows;
   std::vector<FrameRow> frames;
+  std::vector<GeometryRow> geometries;
 };
 
 // What the technique itself costs: the medians over the rounds (or the cold time, without rounds) of the pass

@@ -64,6 +64,7 @@ struct Bench {
   std::deque<RayRecord> records;
   std::deque<Image> images;
   std::deque<OracleResult> oracles;
+  std::deque<GeometryResult> geometries;
   std::deque<OracleInput> inputs;
   std::deque<Camera> cameras;
   std::vector<Answer> answers;
@@ -106,6 +107,26 @@ struct Bench {
     inputs.push_back(input);
     answer.oracle_input = &inputs.back();
     return inputs.back();
+  }
+
+  // Gives the answer, which must have a world, rays that all meet the wall in the middle of their own texel.
+  GeometryResult& setGeometry(Answer& answer) {
+    GeometryResult& geometry = geometries.emplace_back();
+    geometry.size = answer.size;
+    const float dist_view = answer.oracle_input->dist_view->data.front();
+    for (int y = 0; y < answer.size.height; ++y) {
+      for (int x = 0; x < answer.size.width; ++x) {
+        TrueRay ray;
+        ray.true_class = TrueClass::kVisible;
+        ray.t_m = 2.0;
+        ray.dist_view = dist_view;
+        ray.plane.px = {x + 0.5, y + 0.5};
+        ray.plane.inv_dist = 1.0 / dist_view;
+        geometry.rays.push_back(ray);
+      }
+    }
+    answer.geometry = &geometry;
+    return geometry;
   }
 
   Image& setImage(Answer& answer, const std::string& buffer, float value) {

@@ -223,5 +223,21 @@ TEST(LoadExpectations, TheBuiltInFilesAreAllGood) {
   EXPECT_GE(tests->size(), 16U);
 }
 
+TEST(ReadExpectations, MetricsOfTheGeometryNeedTheirClassesAndVerdicts) {
+  const auto with = [](const std::string& lines) {
+    return changed("metric = \"different_rays\"\n", lines + "max = 1\n");
+  };
+  EXPECT_EQ(complaint(with("metric = \"true_class_share\"\ntrue_classes = [\"SKY\"]\n")), "read");
+  EXPECT_EQ(complaint(with("metric = \"true_verdict_share\"\nverdicts = [\"TRUE_HIT\"]\n")), "read");
+  EXPECT_EQ(complaint(with("metric = \"hit_position_px\"\ntruth = \"geometry\"\n")), "read");
+  EXPECT_COMPLAINT(with("metric = \"true_class_share\"\n"), "true_classes");
+  EXPECT_COMPLAINT(with("metric = \"true_class_share\"\ntrue_classes = [\"SKYE\"]\n"), "did you mean 'SKY'");
+  EXPECT_COMPLAINT(with("metric = \"true_verdict_share\"\n"), "verdicts");
+  EXPECT_COMPLAINT(with("metric = \"true_verdict_share\"\nverdicts = [\"MISSED\"]\n"), "MISSED_HIT");
+  EXPECT_COMPLAINT(with("metric = \"different_rays\"\ntruth = \"geometry\"\n"), "cannot be held against");
+  EXPECT_COMPLAINT(with("metric = \"relative_error\"\nbuffer = \"lit\"\ntruth = \"geometry\"\n"),
+                   "it knows dist_view alone");
+}
+
 }  // namespace
 }  // namespace ssrkit

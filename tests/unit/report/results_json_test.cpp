@@ -56,7 +56,18 @@ RunReport smallReport() {
   row.passes = {{"trace",
                  {.wall_ns = 10, .cpu_ns = 20, .device_ns = 5},
                  {{.wall_ns = 1, .cpu_ns = 2, .device_ns = {}}}}};
+  row.true_classes = TrueClassSummary{};
+  row.true_classes->geometry.rays[1] = 7;
+  row.true_classes->geometry.verdicts[1] = {0, 4, 2, 1, 0};
+  row.true_classes->against_oracle[1] = {0, 6, 1, 0, 0, 0, 0, 0};
   report.rows = {row};
+  GeometryRow geometry;
+  geometry.scene = "clutter";
+  geometry.device = "gl-osmesa";
+  geometry.size = {64, 32};
+  geometry.counts.rays = {2, 7, 0, 0, 0, 3, 0};
+  geometry.counts.verdicts[5] = {0, 0, 1, 0, 2};
+  report.geometries = {geometry};
   report.frames = {
       {"clutter", "gl-osmesa", {64, 32}, {{"gbuffer", {.wall_ns = 3, .cpu_ns = 4, .device_ns = {}}, {}}}}};
   return report;
@@ -111,12 +122,30 @@ TEST(ResultsJson, HoldsTimesCountersAndHistograms) {
   EXPECT_EQ(json.at("frames")[0].at("passes")[0].at("pass"), "gbuffer");
 }
 
+TEST(ResultsJson, HoldsWhatTheRaysTrulyMeet) {
+  const auto json = nlohmann::json::parse(resultsJson(smallReport()));
+  const auto& of_trace = json.at("traces")[0].at("true_classes");
+  EXPECT_EQ(of_trace.size(), 6U);
+  EXPECT_EQ(of_trace.at("VISIBLE").at("rays"), 7);
+  EXPECT_EQ(of_trace.at("VISIBLE").at("oracle").at("SAME"), 6);
+  EXPECT_EQ(of_trace.at("VISIBLE").at("geometry").at("FALSE_HIT"), 2);
+  EXPECT_EQ(of_trace.at("SKY").at("rays"), 0);
+  const auto& of_scene = json.at("geometry")[0];
+  EXPECT_EQ(of_scene.at("scene"), "clutter");
+  EXPECT_EQ(of_scene.at("rays"), 10);
+  EXPECT_EQ(of_scene.at("true_classes").at("OFFSCREEN_TRUE").at("rays"), 3);
+  EXPECT_EQ(of_scene.at("true_classes").at("OFFSCREEN_TRUE").at("oracle").at("TRUE_MISS"), 2);
+  EXPECT_EQ(of_scene.at("parameters").at("max_distance_m"), "inf");
+}
+
 TEST(ResultsJson, WritesNullForATraceThatNeverCameBack) {
   RunReport report = smallReport();
   report.rows[0].summary.reset();
+  report.rows[0].true_classes.reset();
   report.checks[0].stage = "";
   const auto json = nlohmann::json::parse(resultsJson(report));
   EXPECT_TRUE(json.at("traces")[0].at("lookups").is_null());
+  EXPECT_TRUE(json.at("traces")[0].at("true_classes").is_null());
   EXPECT_TRUE(json.at("traces")[0].at("verdicts").is_null());
   EXPECT_TRUE(json.at("checks")[0].at("parameters").is_null());
 }
