@@ -117,7 +117,7 @@ std::vector<MetricRow> rowsOfCost() {
        .name = "cpu_ratio",
        .unit = cpu_time,
        .truths = {kStage, kCase},
-       .keys = {"passes", "margin"},
+       .keys = {"passes", "over", "margin"},
        .timed = true},
       {.metric = M::kPassCpuShare,
        .name = "pass_cpu_share",

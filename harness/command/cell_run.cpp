@@ -43,10 +43,10 @@ std::string deathText(const WorkerDeath& death) {
 
 }  // namespace
 
-Image maskOf(const JobResult& result) {
-  const auto material = result.images.find("material");
+Image maskOf(const std::map<std::string, Image>& images) {
+  const auto material = images.find("material");
   Image mask;
-  if (material == result.images.end()) {
+  if (material == images.end()) {
     return mask;
   }
   mask = Image(material->second.size, {"mask"});
@@ -67,18 +67,23 @@ void addTruths(CellRun& cell) {
   }
   for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
     const TraceParameters& parameters = cell.result->traces[i].parameters;
-    // A technique may have given its tracer normals of its own.
-    const auto own_normal = cell.result->traces[i].images.find("normal_view");
-    const Image* const normals =
-        own_normal != cell.result->traces[i].images.end() ? &own_normal->second : &normal_view->second;
+    // A technique may have given its tracer normals and a material of its own.
+    const std::map<std::string, Image>& own = cell.result->traces[i].images;
+    const auto own_normal = own.find("normal_view");
+    const Image* const normals = own_normal != own.end() ? &own_normal->second : &normal_view->second;
+    const Image* mask = &cell.mask;
+    if (own.contains("material")) {
+      mask = &cell.own_masks.emplace_back(maskOf(own));
+    }
     auto truth = std::ranges::find_if(cell.truths, [&](const CellRun::Truth& known) {
-      return known.input.normal_view == normals && sameForOracle(known.input.parameters, parameters);
+      return known.input.normal_view == normals && known.input.mask == mask &&
+             sameForOracle(known.input.parameters, parameters);
     });
     if (truth == cell.truths.end()) {
       const OracleInput input{.camera = &cell.result->camera,
                               .dist_view = &dist_view->second,
                               .normal_view = normals,
-                              .mask = &cell.mask,
+                              .mask = mask,
                               .parameters = parameters};
       auto result = traceOracle(input);
       if (!result) {

@@ -23,7 +23,8 @@ struct CellRun {
   std::optional<JobResult> result;
   std::optional<Error> error;
   std::optional<WorkerDeath> death;
-  Image mask;  // 1 channel, from the material
+  Image mask;                   // 1 channel, from the material
+  std::deque<Image> own_masks;  // of techniques that give their tracer a material of their own
   // Oracle A by the parameters that it depends on; stable addresses.
   struct Truth {
     OracleInput input;
@@ -38,7 +39,7 @@ struct CellRun {
 };
 
 // The reflective pixels of a G-buffer: 1 channel, from the material; empty without a material.
-[[nodiscard]] Image maskOf(const JobResult& result);
+[[nodiscard]] Image maskOf(const std::map<std::string, Image>& images);
 
 // Asks Oracle A about every trace of the cell; cases that differ in nothing that it looks at share its
 // answer.

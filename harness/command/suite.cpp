@@ -126,7 +126,7 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
   JobOutcome outcome = workers_.at(device).run(job, options_.limits);
   if (auto* result = std::get_if<JobResult>(&outcome)) {
     cell.result = std::move(*result);
-    cell.mask = maskOf(*cell.result);
+    cell.mask = maskOf(cell.result->images);
   } else if (auto* error = std::get_if<Error>(&outcome)) {
     cell.error = std::move(*error);
   } else {

@@ -45,6 +45,33 @@ Technique jittered(const std::string& name, int sample_count) {
                           {.name = "composite", .outputs = {"composite"}}}};
 }
 
+// Beyond it one ray and eight neighbours say nothing that the sky does not.
+constexpr double kMaxTracedRoughness = 0.6;
+
+FramePass filter(const std::string& name, int spacing_px, const std::string& from, const std::string& to) {
+  return {.name = name,
+          .outputs = {"reflection" + to, to.empty() ? "reflection_variance" : "variance" + to},
+          .inputs = {{"unfiltered", "reflection" + from}, {"unfiltered_variance", "variance" + from}},
+          .constants = {{"spacing_px", spacing_px}},
+          .shader = "filter_reflection.frag"};
+}
+
+// Stochastic SSR: one ray a pixel, what it found shared among neighbours, what noise is left filtered.
+Technique stochastic() {
+  return {.name = "stochastic",
+          .about = "stochastic SSR: one ray a pixel, reused by its neighbours, filtered by its variance",
+          .before_trace = {{.name = "classify_rays",
+                            .outputs = {"microfacet_normal", "ray_material"},
+                            .constants = {{"max_traced_roughness", kMaxTracedRoughness}}}},
+          .trace_inputs = {{"normal_view", "microfacet_normal"}, {"material", "ray_material"}},
+          .after_trace = {{.name = "ray_ends", .outputs = {"ray_end", "ray_radiance", "ray_density"}},
+                          {.name = "reuse_rays", .outputs = {"reflection_reused", "variance_reused"}},
+                          filter("filter_1", 1, "_reused", "_near"),
+                          filter("filter_2", 2, "_near", "_reused"),
+                          filter("filter_4", 4, "_reused", ""),
+                          {.name = "composite_reflected", .outputs = {"composite"}}}};
+}
+
 }  // namespace
 
 std::vector<Technique> roughTechniques() {
@@ -54,7 +81,8 @@ std::vector<Technique> roughTechniques() {
           ggx("ggx_4", 4, kBlueHammersley),
           ggx("ggx_16", 16, kBlueHammersley),
           ggx("ggx_128", 128, kBlueHammersley),
-          ggx("ggx_16_white", 16, kWhitePoints)};
+          ggx("ggx_16_white", 16, kWhitePoints),
+          stochastic()};
 }
 
 }  // namespace ssrkit

@@ -16,6 +16,8 @@ const Technique& noTechnique() {
   return none;
 }
 
+}  // namespace
+
 void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) {
   values.set("thickness_m", parameters.thickness_m);
   values.set("thickness_rel", parameters.thickness_rel);
@@ -29,8 +31,6 @@ void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) 
   values.set("bisection_count", parameters.bisection_count);
   values.set("max_mip", parameters.max_mip);
 }
-
-}  // namespace
 
 FramePass tracePass(const std::string& shader) {
   return {.name = shader.substr(0, shader.find('.')),

@@ -18,6 +18,9 @@
 
 namespace ssrkit {
 
+// The parameters as the tracers' uniforms; what was left open must have been filled in.
+void setTraceUniforms(UniformValues& values, const TraceParameters& parameters);
+
 // The pass of a tracer's entry file: "trace_hiz.frag" draws the pass "trace_hiz".
 [[nodiscard]] FramePass tracePass(const std::string& shader);
 

@@ -127,6 +127,10 @@ TEST(CpuRatio, PassesAreSummedAndHeldAgainstTheOtherStage) {
   const std::string stage = "metric = \"cpu_ratio\"\nstages = [\"hiz\"]\ntruth = \"stage:walk\"\n";
   EXPECT_EQ(outcomeName(bench.check(expectation(stage + "max = 0.1"))), "pass");
   EXPECT_EQ(outcomeName(bench.check(expectation(stage + "max = 0.09"))), "fail");
+  // Two passes of 10 over the other's one of 100.
+  const std::string sum = stage + "passes = [\"trace\", \"pyramid\"]\nover = [\"trace\"]\n";
+  EXPECT_EQ(outcomeName(bench.check(expectation(sum + "max = 0.2"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(sum + "max = 0.18"))), "fail");
   const std::string share = "metric = \"pass_cpu_share\"\npasses = [\"pyramid\"]\nover = [\"trace\"]\n";
   EXPECT_EQ(outcomeName(bench.check(expectation(share + "max = 1.0"))), "pass");
   EXPECT_EQ(outcomeName(bench.check(expectation(share + "max = 0.9"))), "fail");

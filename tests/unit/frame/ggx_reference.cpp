@@ -77,7 +77,7 @@ VisibleFacet visibleFacet(const GgxView& view, double f0, double rise, double tu
 }
 
 double directionalAlbedo(const GgxView& view, double f0) {
-  constexpr int kPoints = 512;
+  constexpr int kPoints = 192;
   double sum = 0.0;
   for (int point = 0; point < kPoints * kPoints; ++point) {
     const VisibleFacet facet =
