@@ -48,6 +48,7 @@ class CompositeTest : public PassTest {
   Image mirror(const std::string& shader, double lit, double sky, double f0, double mask,
                const std::function<double(int y)>& alpha) {
     begin();
+    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
     values_.set("px_offset", glm::dvec2(0.0));
     values_.set("view_per_px", glm::dvec2(0.0));
     values_.set("up_view", glm::dvec3(1.0, 0.0, 0.0));

@@ -46,6 +46,7 @@ class ConfidenceTest : public PassTest {
     begin();
     values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
     // The eye looks straight along -z through every pixel: dir_view.z is set by the normal alone.
+    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
     values_.set("px_offset", glm::dvec2(0.0));
     values_.set("view_per_px", glm::dvec2(0.0));
     values_.set("max_distance_m", factors.max_distance_m);
