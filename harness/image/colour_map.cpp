@@ -71,7 +71,7 @@ Rgb8 colourOf(RayClass ray_class) {
 Rgb8 blend(Rgb8 from, Rgb8 to, double weight) {
   Rgb8 mixed{};
   for (std::size_t i = 0; i < mixed.size(); ++i) {
-    mixed[i] = static_cast<std::uint8_t>(from[i] + weight * (to[i] - from[i]) + 0.5);
+    mixed[i] = static_cast<std::uint8_t>(std::lround(from[i] + weight * (to[i] - from[i])));
   }
   return mixed;
 }
@@ -102,7 +102,7 @@ ByteImage toneMap(const Image& linear, double exposure) {
         std::ranges::copy(kNanColour, out);
         break;
       }
-      out[i] = encoded[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * 65535.0F + 0.5F)];
+      out[i] = encoded[static_cast<std::size_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F))];
     }
   }
   return picture;

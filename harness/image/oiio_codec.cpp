@@ -20,7 +20,7 @@ constexpr const char* kExrCompression = "zip:1";
 constexpr int kPngFastestLevel = 1;  // previews are written by every run; level 6 takes twice as long
 constexpr int kPngFilterSub = 0x10;
 
-std::string orUnknown(std::string problem) {
+std::string orUnknown(const std::string& problem) {
   return problem.empty() ? "OpenImageIO does not say why" : problem;
 }
 
@@ -29,8 +29,8 @@ std::string problemOf(const std::unique_ptr<Io>& io) {
   return orUnknown(io ? io->geterror() : OIIO::geterror());
 }
 
-std::string encode(const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data,
-                   std::vector<unsigned char>& bytes) {
+std::string encode(const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                   const void* data, std::vector<unsigned char>& bytes) {
   // Encoded in memory: OpenImageIO's own file writing hides the reason of a failure.
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);

@@ -18,8 +18,11 @@
 #include <new>
 #include <utility>
 
-// Only there in a coverage build; a child that leaves by _exit would lose its counts.
-extern "C" void __gcov_dump(void) __attribute__((weak));
+#ifdef SSRKIT_COVERAGE
+extern "C" {
+#include <gcov.h>
+}
+#endif
 
 namespace ssrkit {
 
@@ -113,9 +116,9 @@ bool isWhole(const std::string& received) {
   } catch (...) {
     code = kExitFailed;
   }
-  if (__gcov_dump != nullptr) {
-    __gcov_dump();
-  }
+#ifdef SSRKIT_COVERAGE
+  __gcov_dump();  // a child that leaves by _exit would lose its counts
+#endif
   _exit(code);
 }
 
