@@ -80,6 +80,7 @@ std::vector<std::string> mergedEnvironment(const ChildCommand& command) {
 
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (std::string& text : texts) {
     pointers.push_back(text.data());
   }
