@@ -48,6 +48,9 @@ RayHit ray_without_hit(int ray_class, int lookups, int steps) {
 // The texel at p_px; positions that rounding puts on the image's outer edge belong to its last texel.
 vec2 texel_at(vec2 p_px, TraceParameters parameters) { return clamp(floor(p_px), vec2(0.0), parameters.size_px - 1.0); }
 
+// A hit's position, which rounding may put a little outside the image after the last step.
+vec2 position_inside_px(vec2 p_px, TraceParameters parameters) { return clamp(p_px, vec2(0.0), parameters.size_px); }
+
 // Far end of the column of a texel at dist_view: Z + T.
 float column_far_m(float dist_view, TraceParameters parameters) {
   return dist_view + (parameters.thickness_rel * dist_view + parameters.thickness_m);
