@@ -49,9 +49,10 @@ Corner load_corner(int mip, int i) {
   return Corner(texelFetch(known, texel, mip), near.x * near.y);
 }
 
-float known_around(int mip) {
+// Loops that run no turn, not branches, are what software rasterisers skip: `corners` is 4, or 0 where there is no hole.
+float known_around(int mip, int corners) {
   float sum = 0.0;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < corners; ++i) {
     Corner corner = load_corner(mip, i);
     sum += corner.near * corner.found.a;
   }
@@ -73,20 +74,18 @@ void fill_from(inout Filling filling, int mip) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  reflection_filled = texelFetch(reflection, texel, 0);
-  bool is_reflective = texelFetch(material, texel, 0).b > 0.0 && !isinf(texelFetch(dist_view, texel, 0).x);
-  if (reflection_filled.a > 0.0 || !is_reflective) {
-    return;
-  }
+  vec2 uv = gl_FragCoord.xy / size_px;
+  reflection_filled = textureLod(reflection, uv, 0.0);
+  bool is_reflective = textureLod(material, uv, 0.0).b > 0.0 && !isinf(textureLod(dist_view, uv, 0.0).x);
+  bool is_hole = is_reflective && reflection_filled.a == 0.0;
   int coarsest = min(fill_levels, textureQueryLevels(known) - 1);
-  float alpha = (known_around(coarsest) - BESIDE_AN_EDGE) / (1.0 - BESIDE_AN_EDGE);
-  if (alpha <= 0.0) {
-    return;
-  }
+  float around = known_around(coarsest, is_hole ? 4 : 0);
+  float alpha = (around - BESIDE_AN_EDGE) / (1.0 - BESIDE_AN_EDGE);
   Filling filling = Filling(vec3(0.0), vec3(0.0), 0.0, 0.0);
-  for (int mip = 1; mip <= coarsest && filling.weight < ENOUGH; ++mip) {
+  for (int mip = 1; mip <= (alpha > 0.0 ? coarsest : 0) && filling.weight < ENOUGH; ++mip) {
     fill_from(filling, mip);
   }
-  reflection_filled = vec4(filling.first + filling.sum / filling.alpha_sum, alpha);
+  if (filling.alpha_sum > 0.0) {
+    reflection_filled = vec4(filling.first + filling.sum / filling.alpha_sum, alpha);
+  }
 }
