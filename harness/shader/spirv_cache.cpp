@@ -2,13 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <string_view>
-#include <utility>
-
-#include "base/atomic_file.h"
+#include "base/hash128.h"
 #include "shader/front_end.h"
-#include "shader/hash128.h"
 #include "shader/module_bytes.h"
 #include "shader/spirv_tools.h"
 
@@ -16,63 +11,22 @@ namespace ssrkit {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // Raise it when the same recipe gives another module or the bytes of an entry mean something else.
 constexpr int kFormatVersion = 2;
-constexpr std::size_t kEntryLimitBytes = std::size_t{64} << 20;
-
-std::string firstLine(const std::string& recipe, const std::string& payload) {
-  return fmt::format("ssrkit-spirv {} recipe {} payload {} {}\n", kFormatVersion, recipe.size(),
-                     payload.size(), hashName(payload));
-}
-
-fs::path absoluteFolder(const char* variable) {
-  const char* const value = std::getenv(variable);
-  const fs::path path = value == nullptr ? "" : value;
-  return path.is_absolute() ? path : fs::path();
-}
 
 }  // namespace
 
 SpirvCache SpirvCache::ofUser() {
-  fs::path base = absoluteFolder("XDG_CACHE_HOME");
-  if (base.empty()) {
-    const fs::path home = absoluteFolder("HOME");
-    base = home.empty() ? fs::path() : home / ".cache";
-  }
-  return SpirvCache(base.empty() ? fs::path() : base / "ssrkit" / "spirv");
-}
-
-fs::path SpirvCache::pathOf(const std::string& recipe) const {
-  return folder_ / (hashName(recipe) + ".spirv-entry");
+  return SpirvCache(EntryCache::ofUser("spirv", kFormatVersion));
 }
 
 std::optional<ShaderModule> SpirvCache::find(const std::string& recipe) const {
-  if (folder_.empty()) {
-    return std::nullopt;
-  }
-  const Expected<std::string> entry = readFile(pathOf(recipe), kEntryLimitBytes);
-  if (!entry) {
-    return std::nullopt;
-  }
-  const std::size_t line_end = entry->find('\n');
-  if (line_end == std::string::npos || entry->compare(line_end + 1, recipe.size(), recipe) != 0) {
-    return std::nullopt;
-  }
-  const std::string payload = entry->substr(line_end + 1 + recipe.size());
-  if (entry->compare(0, line_end + 1, firstLine(recipe, payload)) != 0) {
-    return std::nullopt;
-  }
-  return moduleFromBytes(payload);
+  const std::optional<std::string> payload = entries_.find(recipe);
+  return payload ? moduleFromBytes(*payload) : std::nullopt;
 }
 
 void SpirvCache::store(const std::string& recipe, const ShaderModule& module) const {
-  if (folder_.empty()) {
-    return;
-  }
-  const std::string payload = toBytes(module);
-  static_cast<void>(writeFileAtomically(pathOf(recipe), firstLine(recipe, payload) + recipe + payload));
+  entries_.store(recipe, toBytes(module));
 }
 
 std::string compileRecipe(const SourceTree& tree, const std::string& preamble, ShaderStage stage,

@@ -1,12 +1,11 @@
-// Compiled modules on disk, named by what they were made from. Several runs may share the folder: an entry
-// appears whole or not at all, and a damaged one counts as absent.
+// Compiled modules on disk (base/entry_cache.h).
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "base/entry_cache.h"
 #include "shader/compiler.h"
 #include "shader/source_tree.h"
 
@@ -17,18 +16,14 @@ class SpirvCache {
   // $XDG_CACHE_HOME/ssrkit/spirv, or ~/.cache/ssrkit/spirv; no folder at all when neither is set.
   [[nodiscard]] static SpirvCache ofUser();
 
-  explicit SpirvCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit SpirvCache(EntryCache entries) : entries_(std::move(entries)) {}
 
-  // `recipe` is everything that decides the module; the entry holds it and is refused when it differs.
   [[nodiscard]] std::optional<ShaderModule> find(const std::string& recipe) const;
 
-  // Does nothing when the folder cannot be written: the next run compiles again.
   void store(const std::string& recipe, const ShaderModule& module) const;
 
-  [[nodiscard]] std::filesystem::path pathOf(const std::string& recipe) const;
-
  private:
-  std::filesystem::path folder_;
+  EntryCache entries_;
 };
 
 // Versions, target, stage, options, preamble, and the hash of every source and where each #include leads.

@@ -1,4 +1,4 @@
-#include "shader/hash128.h"
+#include "base/hash128.h"
 
 #include <fmt/format.h>
 
