@@ -1,17 +1,20 @@
 // Lights the G-buffer: Lambert and Blinn-Phong from directional and point lights, constant ambient, emission; the sky
 // where there is no surface.
 //
-// In: albedo, normal_view, material, emission, dist_view. Out: lit, linear radiance.
+// In: albedo, normal_view, material, emission, dist_view. Out: lit, linear radiance, at most the largest half.
 // Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977; the lobe is normalised by
 // (n + 8) / 8 pi (Akenine-Moller et al., "Real-Time Rendering", 4th ed., section 9.8.1) so that shininess moves energy
 // about instead of adding it. Shininess comes from roughness by n = 2 / roughness^4 - 2 (same, section 9.8.1).
 #version 450
+#include "punctual_lights.glsl"
 #include "sky.glsl"
 #include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"
+#include "unit_normal.glsl"
 
 const int MAX_LIGHTS = 8;
 const float PI = 3.14159265358979;
+const float LARGEST_HALF = 65504.0;
 const float AMBIENT = 0.25;  // of the sky's horizon colour, on every side
 const float MIN_ROUGHNESS = 0.15;  // a sharper highlight of an infinitely small light is one flickering pixel
 
@@ -48,20 +51,10 @@ struct Surface {
 
 vec3 reflected_light(Surface surface, vec3 to_light, vec3 irradiance) {
   float cosine = max(ordered_dot(surface.normal, to_light), 0.0);
-  vec3 half_vector = ordered_normalize(to_light + surface.to_eye);
+  vec3 half_vector = unit_normal(to_light + surface.to_eye, surface.to_eye);  // none when light comes from behind
   float lobe = pow(max(ordered_dot(surface.normal, half_vector), 0.0), surface.shininess);
   vec3 highlight = surface.specular * (lobe * (surface.shininess + 8.0) / (8.0 * PI));
   return (surface.diffuse / PI + highlight) * irradiance * cosine;
-}
-
-// KHR_lights_punctual: inverse square with a smooth end at the range, and a smooth cone.
-float point_attenuation(int i, vec3 to_light, float distance_m) {
-  float range_m = point_p_view[i].a;
-  float reach = range_m > 0.0 ? clamp(1.0 - pow(distance_m / range_m, 4.0), 0.0, 1.0) : 1.0;
-  float outer = point_dir_view[i].a;
-  float cone = ordered_dot(-to_light, point_dir_view[i].xyz);
-  float spot = outer <= -1.0 ? 1.0 : clamp((cone - outer) / max(point_intensity[i].a - outer, 1e-4), 0.0, 1.0);
-  return reach * spot * spot / max(distance_m * distance_m, 1e-4);
 }
 
 void main() {
@@ -78,7 +71,7 @@ void main() {
   vec4 metal_rough = texelFetch(material, texel, 0);
   float roughness = max(metal_rough.g, MIN_ROUGHNESS);
   float alpha = roughness * roughness;
-  Surface surface = Surface(ordered_normalize(texelFetch(normal_view, texel, 0).xyz), -from_eye,
+  Surface surface = Surface(unit_normal(texelFetch(normal_view, texel, 0).xyz, -from_eye), -from_eye,
                             base_colour * (1.0 - metal_rough.r), mix(vec3(0.04), base_colour, metal_rough.r),
                             2.0 / (alpha * alpha) - 2.0);
   vec3 radiance = texelFetch(emission, texel, 0).rgb + (AMBIENT * surface.diffuse) * sky_horizon;
@@ -89,7 +82,9 @@ void main() {
     vec3 offset_m = point_p_view[i].xyz - p_view;
     float distance_m = sqrt(ordered_dot(offset_m, offset_m));
     vec3 to_light = offset_m / max(distance_m, 1e-6);
-    radiance += reflected_light(surface, to_light, point_intensity[i].rgb * point_attenuation(i, to_light, distance_m));
+    float falloff = punctual_falloff(distance_m, point_p_view[i].a, ordered_dot(-to_light, point_dir_view[i].xyz),
+                                     point_intensity[i].a, point_dir_view[i].a);
+    radiance += reflected_light(surface, to_light, point_intensity[i].rgb * falloff);
   }
-  lit = vec4(radiance, 1.0);
+  lit = vec4(min(radiance, LARGEST_HALF), 1.0);
 }

@@ -47,6 +47,10 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
   run->add_option("--camera", options.camera, "A camera of the scene by name (default: its first)");
   run->add_option("--mirror", options.mirror,
                   "The material to trace rays from (default: the scene's own mirrors)");
+  run->add_option("--environment", options.environment,
+                  "What lights the full frame from outside: constant:R,G,B, or an equirectangular EXR file "
+                  "(default: the scene's own)")
+      ->check([](const std::string& text) { return text.empty() ? "it names no environment" : ""; });
   run->add_option("--gbuffer", options.gbuffer,
                   "Trace the G-buffer in this folder (EXR images and camera.json)")
       ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; });

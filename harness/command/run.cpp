@@ -196,6 +196,7 @@ Expected<int> runCommand(const RunOptions& options) {
                               .devices = request->devices,
                               .size = request->size,
                               .mirror_material = options.mirror,
+                              .environment = request->environment,
                               .replacements = request->replacements,
                               .limits = {},
                               .always_oracle = true,

@@ -21,6 +21,7 @@ struct RunOptions {
   std::filesystem::path out = "out/run";
   std::string camera;
   std::string mirror;
+  std::string environment;                // "constant:R,G,B" or an EXR file; empty: the scene's own
   std::filesystem::path gbuffer;          // a folder; then no scene is rendered
   std::vector<std::string> replacements;  // "trace_hiz=my.frag"
   bool json = false;                      // results.json on standard output in the place of the table

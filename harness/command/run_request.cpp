@@ -150,6 +150,20 @@ Expected<std::vector<ShaderReplacement>> replacements(const RunOptions& options)
   return list;
 }
 
+Expected<std::optional<EnvironmentChoice>> environment(const RunOptions& options, const TestFile& test) {
+  if (options.environment.empty()) {
+    return std::nullopt;
+  }
+  const auto kind = findFrameKind(test.frame);
+  if (kind && !(*kind)->has_environment) {
+    return inputError("run", fmt::format("the frame '{}' has no environment", test.frame), "--environment",
+                      "add --frame full");
+  }
+  std::error_code ignored;
+  return parseEnvironment(options.environment, std::filesystem::current_path(ignored), "--environment")
+      .map([](EnvironmentChoice choice) { return std::optional(std::move(choice)); });
+}
+
 }  // namespace
 
 Expected<Size> parseSize(const std::string& text) {
@@ -188,7 +202,8 @@ Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& path
   const auto size = parseSize(options.size);
   auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
   auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());
-  auto scenes = replaced ? sources(options, paths) : tl::make_unexpected(replaced.error());
+  auto lit_by = replaced ? environment(options, *test) : tl::make_unexpected(replaced.error());
+  auto scenes = lit_by ? sources(options, paths) : tl::make_unexpected(lit_by.error());
   if (!scenes) {
     return tl::make_unexpected(scenes.error());
   }
@@ -201,7 +216,8 @@ Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& path
                     .test = std::move(*test),
                     .scenes = std::move(*scenes),
                     .devices = withoutRepeats(options.devices),
-                    .replacements = std::move(*replaced)};
+                    .replacements = std::move(*replaced),
+                    .environment = std::move(*lit_by)};
 }
 
 }  // namespace ssrkit

@@ -22,6 +22,7 @@ struct RunRequest {
   std::vector<SceneSource> scenes;   // the parameters in their defaults
   std::vector<std::string> devices;  // each once
   std::vector<ShaderReplacement> replacements;
+  std::optional<EnvironmentChoice> environment;
 };
 
 // Fails on whatever is not there, misspelt or contradictory, before any work is done.

@@ -88,6 +88,7 @@ Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) co
   job.scene_file = source.file;
   job.camera_name = test.camera.empty() ? source.camera_name : test.camera;
   job.mirror_material = options_.mirror_material;
+  job.environment = options_.environment;
   job.size = size;
   job.frame = test.frame;
   job.timing.rounds = test.rounds;

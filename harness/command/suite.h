@@ -44,6 +44,7 @@ struct SuiteOptions {
   std::vector<std::string> devices;  // the run's, where a test names none
   Size size;                         // likewise
   std::string mirror_material;
+  std::optional<EnvironmentChoice> environment;
   std::vector<ShaderReplacement> replacements;
   JobLimits limits;
   bool always_oracle = false;

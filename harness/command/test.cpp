@@ -82,6 +82,7 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
                               .devices = options.devices,
                               .size = {640, 360},
                               .mirror_material = "",
+                              .environment = std::nullopt,
                               .replacements = {},
                               .limits = {},
                               .always_oracle = false,

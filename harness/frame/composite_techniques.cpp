@@ -78,6 +78,15 @@ std::vector<Technique> compositeTechniques() {
        .before_trace = {{.name = "metal_mask", .outputs = {"material_masked"}}},
        .trace_inputs = {{"material", "material_masked"}},
        .after_trace = {resolve(), {.name = "composite_masked", .outputs = {"composite"}}}},
+      {.name = "replace",
+       .about =
+           "each reflection in the place of the environment's, in the metallic-roughness sum, by confidence",
+       .frame = "full",
+       .after_trace = {resolve(),
+                       confidence(),
+                       {.name = "composite_replace",
+                        .outputs = {"composite"},
+                        .inputs = {{"reflection", "reflection_weighed"}}}}},
   };
 }
 

@@ -55,6 +55,7 @@ const std::vector<FrameImageRow>& table() {
        .clear = {1, 0, 0, 0}},
       // The frame's.
       {.name = "lit", .format = kRgba16f, .channels = rgb, .folder = "."},
+      {.name = "lit_base", .format = kRgba16f, .channels = rgb, .folder = "."},
       {.name = "shadow", .format = kR32f, .channels = {"V"}, .folder = "."},
       {.name = "ao", .format = kR32f, .channels = {"V"}, .folder = "."},
       {.name = "ao_noisy", .format = kRg32f},
@@ -64,6 +65,10 @@ const std::vector<FrameImageRow>& table() {
       {.name = "normal_xy_sign", .format = kRgba16ui},
       {.name = "normal_unpacked", .format = kRgba32f, .channels = rgba},
       {.name = "dist_unpacked", .format = kR32f, .channels = {"Z"}},
+      // The environment's, of sizes of their own (frame/environment_images.h).
+      {.name = "environment", .format = kRgba16f, .filter = Filter::kLinear},
+      {.name = "irradiance", .format = kRgba16f, .filter = Filter::kLinear},
+      {.name = "split_sum", .format = kRg32f, .filter = Filter::kLinear},
       // A trace's.
       {.name = "hit_texel", .format = kRg16i},
       {.name = "hit_point", .format = kRgba32f},

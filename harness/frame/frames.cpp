@@ -29,8 +29,9 @@ const std::vector<FrameKind>& table() {
                    .inputs = {{"ao_noisy", "ao_blurred"}},
                    .constants = {{"ao_blur_down", 1}},
                    .shader = "ao_blur.frag"},
-                  {.name = "light", .outputs = {"lit"}}},
-       .technique = "mirror"},
+                  {.name = "light_ggx", .outputs = {"lit", "lit_base"}}},
+       .has_environment = true,
+       .technique = "replace"},
   };
   return rows;
 }

@@ -15,6 +15,7 @@ struct FrameKind {
   std::string name;
   std::string about;              // one line for people
   std::vector<FramePass> passes;  // after the G-buffer, in order; one of them writes "lit"
+  bool has_environment = false;   // its passes sample the environment's maps
   std::string technique;          // what reflections are shown with unless a technique is named
 };
 

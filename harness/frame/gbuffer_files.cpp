@@ -33,6 +33,7 @@ const std::vector<FileRow>& fileRows() {
       {"material", false, {{"R", "G", "B"}}},
       {"emission", false, {{"R", "G", "B"}}},
       {"lit", false, {{"R", "G", "B"}}},
+      {"lit_base", false, {{"R", "G", "B"}}},
   };
   return rows;
 }

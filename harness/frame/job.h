@@ -41,7 +41,8 @@ struct Job {
   // Either a scene file with a camera name ("" the first) ...
   std::filesystem::path scene_file;
   std::string camera_name;
-  std::string mirror_material;  // "" the scene's own mirrors
+  std::string mirror_material;                   // "" the scene's own mirrors
+  std::optional<EnvironmentChoice> environment;  // in the place of the scene's own
   // ... or a G-buffer made by others, by image name ("dist_view", "normal_view", ...).
   std::map<std::string, Image> gbuffer;
   std::optional<Camera> gbuffer_camera;

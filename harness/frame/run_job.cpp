@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "frame/environment_images.h"
 #include "frame/frame_drawing.h"
 #include "frame/gbuffer_source.h"
 #include "frame/image_transfer.h"
@@ -60,6 +61,8 @@ struct JobRunner::Impl {
                                                           UniformValues& values, JobResult& result);
   [[nodiscard]] Expected<std::vector<std::string>> upload(const Job& job, const Progress& progress,
                                                           UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> light(const Job& job, const Scene& scene, const FrameKind& kind,
+                                     const Progress& progress, UniformValues& values, const Camera& camera);
   [[nodiscard]] Expected<void> draw(const Job& job, const CompileSettings& settings, const Progress& progress,
                                     UniformValues& values, JobResult& result);
   [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
@@ -104,7 +107,6 @@ Expected<std::optional<DrawnScene>> JobRunner::Impl::scene(const Job& job, const
   result.camera = *camera;
   result.notes = (*scene)->scene.notes;
   setCameraUniforms(values, result.camera);
-  setLightUniforms(values, (*scene)->scene, result.camera.view_from_world);
   return DrawnScene{.scene = &(*scene)->scene,
                     .resources = &(*scene)->resources,
                     .shadow_cascade_count = setShadowUniforms(values, (*scene)->scene, result.camera)};
@@ -116,20 +118,38 @@ Expected<std::vector<std::string>> JobRunner::Impl::upload(const Job& job, const
   progress("upload gbuffer");
   result.camera = *job.gbuffer_camera;
   setCameraUniforms(values, result.camera);
-  setLightUniforms(values, defaultLight(), result.camera.view_from_world);
   // Nothing casts a shadow: there is one empty cascade.
   SSRKIT_CHECK_EQ(setShadowUniforms(values, defaultLight(), result.camera), 1);
   if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
     return tl::make_unexpected(uploaded.error());
   }
-  const auto lit = job.gbuffer.find("lit");
-  if (lit == job.gbuffer.end()) {
-    return std::vector<std::string>{};
+  std::vector<std::string> given;
+  for (const std::string name : {"lit", "lit_base"}) {
+    const auto found = job.gbuffer.find(name);
+    if (found == job.gbuffer.end()) {
+      continue;
+    }
+    const auto image = images->get(name);
+    const auto done = image ? uploadImage(device, **image, found->second, {0, 0, 0, 1})
+                            : tl::make_unexpected(image.error());
+    if (!done) {
+      return tl::make_unexpected(done.error());
+    }
+    given.push_back(name);
   }
-  const auto image = images->get("lit");
-  const auto done =
-      image ? uploadImage(device, **image, lit->second, {0, 0, 0, 1}) : tl::make_unexpected(image.error());
-  return done ? Expected<std::vector<std::string>>({"lit"}) : tl::make_unexpected(done.error());
+  return given;
+}
+
+// The lights' uniforms and, where the kind of frame samples them, the environment's maps.
+Expected<void> JobRunner::Impl::light(const Job& job, const Scene& scene, const FrameKind& kind,
+                                      const Progress& progress, UniformValues& values, const Camera& camera) {
+  setLightUniforms(values, scene, camera.view_from_world);
+  if (!kind.has_environment) {
+    return {};
+  }
+  progress("prepare environment");
+  const auto maps = environmentMaps(environmentSource(scene, job.environment));
+  return maps ? uploadEnvironment(device, *maps, *images, values) : tl::make_unexpected(maps.error());
 }
 
 Expected<FrameDrawing> JobRunner::Impl::frame(const Job& job, const CompileSettings& settings,
@@ -147,12 +167,21 @@ Expected<FrameDrawing> JobRunner::Impl::frame(const Job& job, const CompileSetti
       return tl::make_unexpected(uploaded.error());
     }
     given = std::move(*uploaded);
+    if ((*kind)->has_environment && given.size() == 1) {
+      return inputError("light the G-buffer", fmt::format("it has '{}' alone", given.front()), "",
+                        fmt::format("the frame '{}' needs both lit and lit_base, or neither", job.frame));
+    }
   } else {
     const auto placed = scene(job, progress, values, result);
     if (!placed) {
       return tl::make_unexpected(placed.error());
     }
     drawn = *placed;
+  }
+  if (const auto lit =
+          light(job, drawn ? *drawn->scene : defaultLight(), **kind, progress, values, result.camera);
+      !lit) {
+    return tl::make_unexpected(lit.error());
   }
   return FrameDrawing::prepare(programs, settings, **kind, drawn, given, progress);
 }

@@ -22,7 +22,7 @@ constexpr const char* kAttempted = "read the scene's defaults";
 const std::vector<std::string>& ownKeys() {
   static const std::vector<std::string> kKeys{"about",       "pictured",        "look_for",
                                               "camera",      "light_direction", "light_radiance",
-                                              "sky_horizon", "sky_zenith"};
+                                              "sky_horizon", "sky_zenith",      "environment"};
   return kKeys;
 }
 
@@ -68,6 +68,9 @@ class DefaultsReader {
       if (name == colour_key) {
         return setColour(name, value, *colour);
       }
+    }
+    if (name == "environment") {
+      return setEnvironment(value);
     }
     return name == "light_direction" ? setDirection(value) : unknownKey(key);
   }
@@ -136,6 +139,15 @@ class DefaultsReader {
     return {};
   }
 
+  Expected<void> setEnvironment(const toml::node& value) {
+    std::string text;
+    if (auto read = setText("environment", value, text); !read) {
+      return read;
+    }
+    return parseEnvironment(text, file_.parent_path(), placeOf(value.source()))
+        .map([&](EnvironmentChoice choice) { defaults_.environment = std::move(choice); });
+  }
+
   Expected<void> setDirection(const toml::node& value) {
     const auto numbers = threeNumbers("light_direction", value);
     if (!numbers) {
@@ -184,6 +196,7 @@ void applyLook(const SceneDefaults& defaults, Scene& scene) {
   light.radiance = defaults.light_radiance.value_or(light.radiance);
   scene.sky_horizon = defaults.sky_horizon.value_or(scene.sky_horizon);
   scene.sky_zenith = defaults.sky_zenith.value_or(scene.sky_zenith);
+  scene.environment = defaults.environment.value_or(scene.environment);
 }
 
 }  // namespace ssrkit

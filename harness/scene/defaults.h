@@ -22,6 +22,7 @@ struct SceneDefaults {
   std::optional<glm::vec3> light_radiance;
   std::optional<glm::vec3> sky_horizon;  // linear
   std::optional<glm::vec3> sky_zenith;
+  std::optional<EnvironmentChoice> environment;
 };
 
 // Fails at file:line:column on bad TOML, unknown keys (with the nearest known one), wrong types and

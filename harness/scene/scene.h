@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "scene/environment_choice.h"
 #include "spaces/camera.h"
 
 namespace ssrkit {
@@ -105,6 +106,7 @@ struct Scene {
   std::vector<SceneCamera> cameras;            // never empty: a camera is framed when the file has none
   glm::vec3 sky_horizon{0.55F, 0.65F, 0.75F};  // linear colours of the background gradient
   glm::vec3 sky_zenith{0.18F, 0.30F, 0.55F};
+  EnvironmentChoice environment;              // in the gradient's place, where it names one
   std::shared_ptr<const SceneMotion> motion;  // null: nothing moves
   std::vector<std::string> notes;             // what was defaulted or left out, one sentence each, shown once
 };

@@ -75,11 +75,21 @@ void fields(Archive& archive, T& replacement) {
   archive(replacement.pass, replacement.file);
 }
 
+template <class Archive, Is<glm::vec3> T>
+void fields(Archive& archive, T& vector) {
+  archive(vector.x, vector.y, vector.z);
+}
+
+template <class Archive, Is<EnvironmentChoice> T>
+void fields(Archive& archive, T& choice) {
+  archive(choice.file, choice.constant);
+}
+
 template <class Archive, Is<Job> T>
 void fields(Archive& archive, T& job) {
-  archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.gbuffer, job.gbuffer_camera,
-          job.size, job.frame, job.traces, job.timing.rounds, job.replacements, job.shader_root,
-          job.optimise_spirv, job.want_gbuffer);
+  archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.environment, job.gbuffer,
+          job.gbuffer_camera, job.size, job.frame, job.traces, job.timing.rounds, job.replacements,
+          job.shader_root, job.optimise_spirv, job.want_gbuffer);
 }
 
 template <class Archive, Is<PassTime> T>

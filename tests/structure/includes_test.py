@@ -10,8 +10,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAY_INCLUDE = {"base": set()}
 MAY_INCLUDE["spaces"] = MAY_INCLUDE["image"] = MAY_INCLUDE["shader"] = {"base"}
 MAY_INCLUDE["scene"] = {"base", "spaces", "image"}
+MAY_INCLUDE["environment"] = {"base", "image"}
 MAY_INCLUDE["device"] = {"base", "image", "shader"}
-MAY_INCLUDE["frame"] = {"base", "spaces", "image", "shader", "scene", "device"}
+MAY_INCLUDE["frame"] = {"base", "spaces", "image", "shader", "scene", "environment", "device"}
 MAY_INCLUDE["oracle"] = {"base", "spaces", "image", "scene"}  # written apart from shaders, devices and frames
 MAY_INCLUDE["worker"] = MAY_INCLUDE["frame"] | {"frame"}
 MAY_INCLUDE["check"] = {"base", "spaces", "image", "scene", "oracle"}

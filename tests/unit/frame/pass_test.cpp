@@ -57,6 +57,7 @@ std::string mutantFile(const std::string& name, const std::string& shader) {
 
 void PassTest::begin() {
   given_.clear();
+  environment_.reset();
   values_ = {};
 }
 
@@ -78,6 +79,12 @@ void PassTest::giveIntegers(const std::string& name, const Image& image, Format 
   given_[name] = {std::move(*created)};
 }
 
+void PassTest::give(const EnvironmentMaps& maps) {
+  environment_ = std::make_unique<FrameImages>(*device_, Size{1, 1});
+  const auto done = uploadEnvironment(*device_, maps, *environment_, values_);
+  ASSERT_TRUE(done.has_value()) << sentence(done.error());
+}
+
 const Program* PassTest::program(const PassRow& row) {
   if (programs_ == nullptr) {
     programs_ = std::make_unique<Programs>(*device_, target_);
@@ -87,19 +94,24 @@ const Program* PassTest::program(const PassRow& row) {
   return made ? *made : nullptr;
 }
 
-Image PassTest::drawInto(const std::string& shader, const Attachment& target, Size size,
-                         const std::map<std::string, SampledImage>& aliases) {
+std::vector<Image> PassTest::drawInto(const std::string& shader, const std::vector<Attachment>& targets,
+                                      Size size, const std::map<std::string, SampledImage>& aliases) {
+  std::vector<Format> formats;
+  std::vector<Image> images;
+  for (const Attachment& target : targets) {
+    formats.push_back(target.image->desc().format);
+    images.emplace_back(size, channelNames(formats.back()));
+  }
   const PassRow row{.name = shader,
                     .vertex_shader = "full_screen.vert",
                     .fragment_shader = shader,
-                    .colour_formats = {target.image->desc().format},
+                    .colour_formats = formats,
                     .has_depth = false,
                     .vertex_attributes = {},
                     .vertex_stride_bytes = 0};
-  const Image failed(size, channelNames(target.image->desc().format));
   const Program* compiled = program(row);
   if (compiled == nullptr) {
-    return failed;
+    return images;
   }
   std::map<std::string, SampledImage> sampled = aliases;
   for (const auto& [name, given] : given_) {
@@ -110,18 +122,32 @@ Image PassTest::drawInto(const std::string& shader, const Attachment& target, Si
   const FrameImages none(*device_, size);
   const auto time = drawFullScreen(
       *device_, *compiled,
-      {.row = &row, .targets = {target}, .viewport = {0, 0, size.width, size.height}, .aliases = sampled},
-      none, values_);
+      {.row = &row, .targets = targets, .viewport = {0, 0, size.width, size.height}, .aliases = sampled},
+      environment_ != nullptr ? *environment_ : none, values_);
   EXPECT_TRUE(time.has_value()) << sentence(time.error());
-  const auto image = readMip(*device_, *target.image, target.mip);
-  EXPECT_TRUE(image.has_value()) << sentence(image.error());
-  return time && image ? *image : failed;
+  for (std::size_t i = 0; time && i < targets.size(); ++i) {
+    const auto image = readMip(*device_, *targets[i].image, targets[i].mip);
+    EXPECT_TRUE(image.has_value()) << sentence(image.error());
+    images[i] = image ? *image : images[i];
+  }
+  return images;
 }
 
 Image PassTest::draw(const std::string& shader, Size size, Format format) {
-  const auto target = device_->createImage({.name = "target", .format = format, .size = size});
-  EXPECT_TRUE(target.has_value()) << sentence(target.error());
-  return drawInto(shader, {target->get(), 0, std::nullopt}, size, {});
+  return drawAll(shader, size, {format}).front();
+}
+
+std::vector<Image> PassTest::drawAll(const std::string& shader, Size size,
+                                     const std::vector<Format>& formats) {
+  std::vector<std::unique_ptr<DeviceImage>> images;
+  std::vector<Attachment> targets;
+  for (const Format format : formats) {
+    auto target = device_->createImage({.name = "target", .format = format, .size = size});
+    EXPECT_TRUE(target.has_value()) << sentence(target.error());
+    images.push_back(std::move(*target));
+    targets.push_back({images.back().get(), 0, std::nullopt});
+  }
+  return drawInto(shader, targets, size, {});
 }
 
 std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& base, Format format,
@@ -136,8 +162,9 @@ std::vector<Image> PassTest::drawMips(const std::string& shader, const Image& ba
   EXPECT_TRUE(uploadImage(*device_, **chain, base, {0, 0, 0, 1}).has_value());
   std::vector<Image> mips = {base};
   for (int mip = 1; mip < mip_count; ++mip) {
-    mips.push_back(drawInto(shader, {chain->get(), mip, std::nullopt}, mipSize((*chain)->desc(), mip),
-                            {{"finer", {.image = chain->get(), .base_mip = mip - 1}}}));
+    mips.push_back(drawInto(shader, {{chain->get(), mip, std::nullopt}}, mipSize((*chain)->desc(), mip),
+                            {{"finer", {.image = chain->get(), .base_mip = mip - 1}}})
+                       .front());
   }
   given_[name] = {std::move(*chain), Filter::kLinear};
   return mips;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "environment/environment_maps.h"
+#include "frame/environment_images.h"
 #include "frame/image_transfer.h"
 #include "frame/programs.h"
 #include "frame_device.h"
@@ -23,10 +25,14 @@ class PassTest : public FrameDeviceTest {
   // An image that the pass's sampler of this name reads: floats as 32 bits unless told otherwise.
   void give(const std::string& name, const Image& image, Format format = Format::kRgba32f);
   void giveIntegers(const std::string& name, const Image& image, Format format);  // kRg16i, kRgba16ui
+  void give(const EnvironmentMaps& maps);  // `environment`, `irradiance`, `split_sum`, and their uniforms
 
   // Draws the shader, an entry file of the kit's or an absolute path, into one image of `channel_count`
   // channels.
   [[nodiscard]] Image draw(const std::string& shader, Size size, Format format = Format::kRgba32f);
+  // The same into several images at once, by the shader's output locations.
+  [[nodiscard]] std::vector<Image> drawAll(const std::string& shader, Size size,
+                                           const std::vector<Format>& formats);
   // Fills the mips of an image whose mip 0 is given: one image a mip, as a pass that fills mips does. The
   // chain is then there under `name` for later passes, sampled linearly.
   std::vector<Image> drawMips(const std::string& shader, const Image& base, Format format,
@@ -40,13 +46,14 @@ class PassTest : public FrameDeviceTest {
 
  private:
   [[nodiscard]] const Program* program(const PassRow& row);
-  [[nodiscard]] Image drawInto(const std::string& shader, const Attachment& target, Size size,
-                               const std::map<std::string, SampledImage>& aliases);
+  [[nodiscard]] std::vector<Image> drawInto(const std::string& shader, const std::vector<Attachment>& targets,
+                                            Size size, const std::map<std::string, SampledImage>& aliases);
   struct Given {
     std::unique_ptr<DeviceImage> image;
     Filter filter = Filter::kNearest;
   };
   std::map<std::string, Given> given_;
+  std::unique_ptr<FrameImages> environment_;
   std::unique_ptr<Programs> programs_;
 };
 

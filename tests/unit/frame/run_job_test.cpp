@@ -164,6 +164,22 @@ TEST_P(RunJobTest, EveryFrameMakesTheTechniqueItIsShownWith) {
   }
 }
 
+TEST_P(RunJobTest, NeedsBothLitImagesOrNeitherWhereOneHasNoSpecular) {
+  Job job = floorAndWall();
+  job.frame = "full";
+  job.traces = {{.stage = "walk", .technique = "replace"}};
+  job.gbuffer["lit"] = Image(job.size, {"R", "G", "B"});
+  const auto alone = runJob(*device_, target_, job);
+  ASSERT_FALSE(alone.has_value());
+  EXPECT_NE(sentence(alone.error()).find("it has 'lit' alone; the frame 'full' needs both"),
+            std::string::npos)
+      << sentence(alone.error());
+  job.gbuffer["lit_base"] = job.gbuffer["lit"];
+  const auto both = runJob(*device_, target_, job);
+  ASSERT_TRUE(both.has_value()) << sentence(both.error());
+  EXPECT_EQ(std::ranges::find(both->frame_passes, "light_ggx", &PassReport::pass), both->frame_passes.end());
+}
+
 TEST_P(RunJobTest, NamesTheTechniqueThatDoesNotExist) {
   Job job = floorAndWall();
   job.traces = {{.stage = "walk", .technique = "mirorr"}};

@@ -33,6 +33,7 @@ light_direction = [0, -2, 0.0]
 light_radiance = [1, 2, 3.5]
 sky_horizon = [0.1, 0.2, 0.3]
 sky_zenith = [0, 0, 1]
+environment = "skies/dusk.exr"
 )");
   ASSERT_TRUE(defaults) << sentence(defaults.error());
   EXPECT_EQ(defaults->about, "One sentence.");
@@ -47,6 +48,19 @@ sky_zenith = [0, 0, 1]
   EXPECT_EQ(defaults->light_radiance, glm::vec3(1, 2, 3.5));
   EXPECT_EQ(defaults->sky_horizon, glm::vec3(0.1, 0.2, 0.3));
   EXPECT_EQ(defaults->sky_zenith, glm::vec3(0, 0, 1));
+  ASSERT_TRUE(defaults->environment);
+  EXPECT_TRUE(defaults->environment->file.is_absolute());  // beside the TOML file
+  EXPECT_TRUE(defaults->environment->file.string().ends_with("/skies/dusk.exr"));
+}
+
+TEST(SceneDefaults, TakeAConstantForTheEnvironment) {
+  const auto defaults = load("environment = \"constant:1,0.5,0\"");
+  ASSERT_TRUE(defaults) << sentence(defaults.error());
+  EXPECT_EQ(*defaults->environment, (EnvironmentChoice{.file = {}, .constant = glm::vec3(1.0F, 0.5F, 0.0F)}));
+  EXPECT_NE(refusal("environment = \"constant:1,2\"").find("a.toml:1:15: could not read the environment"),
+            std::string::npos)
+      << refusal("environment = \"constant:1,2\"");
+  EXPECT_NE(refusal("environment = \"\"").find("it names no file"), std::string::npos);
 }
 
 TEST(SceneDefaults, OfAnEmptyFileAreTheContracts) {

@@ -101,6 +101,7 @@ Job sampleJob() {
   job.scene_file = "scenes/\xff\xfe not UTF-8.gltf";
   job.camera_name = std::string("nul \0 inside", 12);
   job.mirror_material = "Glas grün";
+  job.environment = EnvironmentChoice{.file = "sky.exr", .constant = glm::vec3(1.0F, 0.5F, 0.25F)};
   job.gbuffer["dist_view"] = sampleImage({7, 5}, {"Z"});
   job.gbuffer["normal_view"] = sampleImage({7, 5}, {"X", "Y", "Z"});
   job.gbuffer["nothing"] = Image();
@@ -179,8 +180,9 @@ bool sameBits(const Job& a, const Job& b) {
     return x.pass == y.pass && x.file == y.file;
   };
   return a.id == b.id && a.scene_file == b.scene_file && a.camera_name == b.camera_name &&
-         a.mirror_material == b.mirror_material && sameImages(a.gbuffer, b.gbuffer) &&
-         samePresence(a.gbuffer_camera, b.gbuffer_camera, kSame) && a.size == b.size && a.frame == b.frame &&
+         a.mirror_material == b.mirror_material && a.environment == b.environment &&
+         sameImages(a.gbuffer, b.gbuffer) && samePresence(a.gbuffer_camera, b.gbuffer_camera, kSame) &&
+         a.size == b.size && a.frame == b.frame &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&
          a.timing.rounds == b.timing.rounds &&
          std::equal(a.replacements.begin(), a.replacements.end(), b.replacements.begin(),
