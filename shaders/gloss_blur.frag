@@ -1,14 +1,14 @@
-// Blurs the reflection along one axis, by each pixel's own radius, and not across edges of depth or normal: run along x,
-// then along y (Wronski, "Assassin's Creed IV: Black Flag, Road to Next-Gen Graphics", GDC 2014).
+// Blurs the reflection along one axis, by each pixel's own radius, and not across edges of depth or normal: run along
+// x, then along y (Wronski, "Assassin's Creed IV: Black Flag, Road to Next-Gen Graphics", GDC 2014).
 //
 // In:  source (straight alpha), blur_guide, normal_view. along_y: 0 or 1. narrow: 1 for the kernel as wide as the gaps
 //      between the taps of the other one; run before it, it keeps them from showing as a comb.
 // Out: the blurred reflection, straight alpha.
 // Colours are summed times their alpha and divided by the sum of alphas. A miss has no colour, its rgb is 0: summed
-// without alpha, it would draw a dark rim around all that is reflected. Summed are differences from the first colour, so
-// that a constant keeps its bits where halves are stored rounded towards zero.
-// Between two pixels the smaller of their radii counts, from either side: what touches the mirror stays sharp beside a
-// blurred far wall, and both sides of a silhouette soften alike.
+// without alpha, it would draw a dark rim around all that is reflected. Summed are differences from the first colour,
+// so that a constant keeps its bits where halves are stored rounded towards zero. Between two pixels the smaller of
+// their radii counts, from either side: what touches the mirror stays sharp beside a blurred far wall, and both sides
+// of a silhouette soften alike.
 #version 450
 #include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"

@@ -1,7 +1,7 @@
-// The pull of push-pull: one mip of what is known from the mip before, by exact areas. A texel that covers any known one
-// is known; its colour is their mean (Gortler et al., "The Lumigraph", SIGGRAPH 1996, section 3.3, with weights that
-// saturate at once, so that holes are filled from the nearest known pixels alone), its alpha the mean of all alphas: how
-// much of it is known.
+// The pull of push-pull: one mip of what is known from the mip before, by exact areas. A texel that covers any known
+// one is known; its colour is their mean (Gortler et al., "The Lumigraph", SIGGRAPH 1996, with weights
+// that saturate at once, so that holes are filled from the nearest known pixels alone), its alpha the mean of all
+// alphas: how much of it is known.
 //
 // In: finer, straight alpha, 0 where unknown. Out: the same. Colours are weighed by their alpha.
 // Summed are differences from one known colour, so that a constant keeps its bits.

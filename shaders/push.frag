@@ -9,8 +9,8 @@
 #version 450
 
 const float ENOUGH = 0.999;  // rounding leaves a full sum a little below 1
-// The most that a mip, sampled bilinearly, says is known just outside a straight edge: e (48 - e) / 1024 of a cell of 32
-// texels that the edge cuts at e = 24.
+// The most that a mip, sampled bilinearly, says is known just outside a straight edge: e (48 - e) / 1024 of a cell of
+// 32 texels that the edge cuts at e = 24.
 const float BESIDE_AN_EDGE = 9.0 / 16.0;
 
 layout(std140, binding = 0) uniform PushBlock {
@@ -49,7 +49,8 @@ Corner load_corner(int mip, int i) {
   return Corner(texelFetch(known, texel, mip), near.x * near.y);
 }
 
-// Loops that run no turn, not branches, are what software rasterisers skip: `corners` is 4, or 0 where there is no hole.
+// Loops that run no turn, not branches, are what software rasterisers skip: `corners` is 4, or 0 where there is no
+// hole.
 float known_around(int mip, int corners) {
   float sum = 0.0;
   for (int i = 0; i < corners; ++i) {

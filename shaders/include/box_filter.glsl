@@ -1,8 +1,8 @@
 // Exact area weights of one mip in the next, for every size.
 //
-// A mip of an odd size 2n + 1 has n texels above it, each as wide as 2 + 1/n of its own: three of them, cut at other places
-// in each. Filters of two texels drop the last row and column there and shift the image more with each mip.
-// Guthe and Heckbert, "Non-Power-of-Two Mipmapping", NVIDIA 2005, equation 4.
+// A mip of an odd size 2n + 1 has n texels above it, each as wide as 2 + 1/n of its own: three of them, cut at other
+// places in each. Filters of two texels drop the last row and column there and shift the image more with each mip.
+// Guthe and Heckbert, "Non-Power-of-Two Mipmapping", NVIDIA 2005.
 #ifndef BOX_FILTER_GLSL
 #define BOX_FILTER_GLSL
 

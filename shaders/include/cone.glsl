@@ -1,10 +1,10 @@
 // The cone that a rough surface gathers its reflection from, and the circle in it at a hit.
 //
 // A lobe of reflected directions is replaced by a cone about the mirrored one, cut through its axis: an isosceles
-// triangle of height h = t_m and base a = 2 t_m tan. What the lobe sees at the hit is the circle inscribed in it, of radius
-// r = a (sqrt(a^2 + 4 h^2) - a) / 4h: Uludag, "Hi-Z Screen-Space Cone-Traced Reflections", GPU Pro 5, 2014, section 4.6;
-// Hermanns and Franke, "Screen Space Cone Tracing for Glossy Reflections", SIGGRAPH 2014 posters. With a and h put in it
-// is proportional to t_m, tan (sqrt(1 + tan^2) - tan) of it: 0 at contact instead of 0 / 0.
+// triangle of height h = t_m and base a = 2 t_m tan. What the lobe sees at the hit is the circle inscribed in it, of
+// radius r = a (sqrt(a^2 + 4 h^2) - a) / 4h: Uludag, "Hi-Z Screen-Space Cone-Traced Reflections", GPU Pro 5, 2014;
+// Hermanns and Franke, "Screen Space Cone Tracing for Glossy Reflections", SIGGRAPH 2014 posters. With a
+// and h put in it is proportional to t_m, tan (sqrt(1 + tan^2) - tan) of it: 0 at contact instead of 0 / 0.
 #ifndef CONE_GLSL
 #define CONE_GLSL
 

@@ -1,5 +1,4 @@
-// Fresnel reflectance after Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Eurographics 1994,
-// equation 15.
+// Fresnel reflectance after Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Eurographics 1994.
 //
 // In:  f0, reflectance at normal incidence, 0..1; cosine of the angle between normal and view direction, 0..1.
 // Out: f0 at cosine 1, 1 at cosine 0, monotone between. How far it is from the exact equations: docs/techniques.md.
@@ -17,7 +16,7 @@ float schlick_rise(float cosine) {
 
 vec3 fresnel_schlick(vec3 f0, float cosine) { return f0 + (1.0 - f0) * schlick_rise(cosine); }
 
-// A metal reflects in its own colour, everything else without colour (glTF 2.0, appendix B.3.5).
+// A metal reflects in its own colour, everything else without colour (glTF 2.0, appendix B).
 vec3 fresnel_f0(vec3 base_colour, float metallic) { return mix(vec3(DIELECTRIC_F0), base_colour, metallic); }
 
 #endif

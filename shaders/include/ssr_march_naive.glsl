@@ -40,7 +40,8 @@ RayHit march_naive(Ray ray, PixelProjection projection, TraceParameters paramete
     }
   }
   if (is_hit) {
-    return RayHit(ivec2(texel_at(p_px, parameters)), position_inside_px(p_px, parameters), t_m, RAY_HIT, lookups, steps);
+    return RayHit(ivec2(texel_at(p_px, parameters)), position_inside_px(p_px, parameters), t_m, RAY_HIT, lookups,
+                  steps);
   }
   return ray_without_hit(is_over ? ray.end_class : RAY_BUDGET, lookups, steps);
 }

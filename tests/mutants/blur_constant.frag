@@ -2,10 +2,10 @@
 //
 // In:  material, dist_view, hit_texel, hit_point; max_radius_px.
 // Out: blur_guide, x dist_view, y radius in pixels; -1 where nothing is reflected.
-// The cone's circle at the hit is seen in the mirror, at the distance of the mirror plus the ray's: its radius in pixels is
-// 0 at contact and grows with roughness and with the ray's length up to that of a miss, which comes from infinity.
-// The kernel (1 - x^2)^2 must be wider than the circle to blur as much: its variance is a seventh of its radius squared, an
-// even disc's a quarter.
+// The cone's circle at the hit is seen in the mirror, at the distance of the mirror plus the ray's: its radius in
+// pixels is 0 at contact and grows with roughness and with the ray's length up to that of a miss, which comes from
+// infinity. The kernel (1 - x^2)^2 must be wider than the circle to blur as much: its variance is a seventh of its
+// radius squared, an even disc's a quarter.
 #version 450
 #include "cone.glsl"
 

@@ -5,10 +5,10 @@
 //      between the taps of the other one; run before it, it keeps them from showing as a comb.
 // Out: the blurred reflection, straight alpha.
 // Colours are summed times their alpha and divided by the sum of alphas. A miss has no colour, its rgb is 0: summed
-// without alpha, it would draw a dark rim around all that is reflected. Summed are differences from the first colour, so
-// that a constant keeps its bits where halves are stored rounded towards zero.
-// Between two pixels the smaller of their radii counts, from either side: what touches the mirror stays sharp beside a
-// blurred far wall, and both sides of a silhouette soften alike.
+// without alpha, it would draw a dark rim around all that is reflected. Summed are differences from the first colour,
+// so that a constant keeps its bits where halves are stored rounded towards zero. Between two pixels the smaller of
+// their radii counts, from either side: what touches the mirror stays sharp beside a blurred far wall, and both sides
+// of a silhouette soften alike.
 #version 450
 #include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"

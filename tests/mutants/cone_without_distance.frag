@@ -2,7 +2,8 @@
 //
 // In:  hit_texel, hit_point, lit, lit_mips (linear, mip 0 is lit), material, dist_view.
 // Out: reflection, rgb linear radiance, a = 1 where the ray hit; zero elsewhere.
-// At contact the cone has no width and the mip is 0: the hit texel itself. Silhouettes stay sharp, for one ray is traced.
+// At contact the cone has no width and the mip is 0: the hit texel itself. Silhouettes stay sharp, for one ray is
+// traced.
 #version 450
 #include "cone.glsl"
 

@@ -112,7 +112,9 @@ TEST_P(BlurTest, EveryTexelIsTheWeightedMeanOfScalarCode) {
     const double alpha = unit(random) < 0.3 ? 0.0 : unit(random);
     noise.push_back({alpha > 0.0 ? unit(random) : 0.0, alpha > 0.0 ? unit(random) : 0.0, 0.0, alpha});
   }
-  const auto at = [&](int x, int y) { return noise.at(static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x)); };
+  const auto at = [&](int x, int y) {
+    return noise.at(static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x));
+  };
   const Surface surface{
       .source = at,
       .dist_view = [](int x, int y) { return (x < 40 ? 5.0 : 5.5) + 0.002 * y; },

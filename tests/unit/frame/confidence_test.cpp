@@ -111,9 +111,8 @@ TEST_P(ConfidenceTest, NoFactorLeavesEveryHitAt1AndEveryMissAt0) {
   const auto every_third_misses = [](int x) {
     return x % 3 == 0 ? Ray{.point = {-1, -1, -1}, .texel = {-1, -1}} : Ray{};
   };
-  EXPECT_EQ(follows(
-                "confidence.frag", {}, every_third_misses, [](int x) { return x % 3 == 0 ? 0.0 : 1.0; }, 0.0),
-            "");
+  const auto hits = [](int x) { return x % 3 == 0 ? 0.0 : 1.0; };
+  EXPECT_EQ(follows("confidence.frag", {}, every_third_misses, hits, 0.0), "");
 }
 
 TEST_P(ConfidenceTest, EdgesFadeByTheHitsPosition) {
@@ -137,11 +136,9 @@ TEST_P(ConfidenceTest, EdgesFadeByTheHitsPosition) {
 }
 
 TEST_P(ConfidenceTest, AllFourBordersFadeAlike) {
-  const auto at = [](double x, double y) { return Ray{.point = {x, y, 1.0}}; };
-  const std::vector<std::array<double, 2>> points = {{16, 2}, {240, 2}, {128, 0.25}, {128, 3.75}};
+  const std::vector<std::array<double, 3>> points = {{16, 2, 1}, {240, 2, 1}, {128, 0.25, 1}, {128, 3.75, 1}};
   const std::vector<double> fade = confidences("confidence.frag", {.edge_fade_fraction = 0.125}, [&](int x) {
-    const auto& point = points[static_cast<std::size_t>(x) % 4];
-    return at(point[0], point[1]);
+    return Ray{.point = points[static_cast<std::size_t>(x) % 4]};
   });
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(fade[i], 0.5) << "border " << i;

@@ -10,6 +10,11 @@ namespace ssrkit {
 namespace {
 
 using Texel = std::array<double, 4>;
+using TexelAt = std::function<Texel(int x, int y)>;
+
+Texel miss(int /*x*/, int /*y*/) {
+  return {-1, -1};
+}
 
 class PushPullTest : public PassTest {
  protected:
@@ -17,14 +22,7 @@ class PushPullTest : public PassTest {
   Image fill(
       const std::string& shader, const Image& reflection, int fill_levels,
       const std::function<double(int x, int y)>& mask = [](int, int) { return 1.0; },
-      const std::function<std::array<double, 4>(int x, int y)>& hit =
-          [](int, int) {
-            return Texel{-1, -1};
-          },
-      const std::function<Texel(int x, int y)>& lit =
-          [](int, int) {
-            return Texel{0, 0, 0, 1};
-          }) {
+      const TexelAt& hit = miss, const TexelAt& lit = miss) {
     begin();
     const Size size = reflection.size;
     drawMips("pull.frag", reflection, Format::kRgba16f, "known");
@@ -198,7 +196,7 @@ TEST_P(PushPullTest, EachHoleIsFilledFromTheFinestMipsThatReachIt) {
                : filledHole(mips, (x + 0.5) / size.width, (y + 0.5) / size.height);
   });
   // Halves hold 11 bits, and the mips are stored in them too.
-  EXPECT_GT(std::ranges::count_if(expected.data, [](float value) { return value == 0.0F; }), 1000);
+  EXPECT_GT(std::ranges::count(expected.data, 0.0F), 1000);
   EXPECT_EQ(difference(fill("push.frag", reflection, 5), expected, 3e-3), "");
 }
 
