@@ -68,7 +68,7 @@ void printScene(const TestFile& test, const SceneRun& run, std::chrono::duration
     if (isFailure(check.outcome) || check.outcome == Outcome::kInconclusive) {
       printCheck(check);
     } else if (isMeasurement(check)) {
-      fmt::print("      {:<34}{:<13}{}\n", check.id, check.device, check.message);
+      fmt::print("      {:<36} {:<12} {}\n", check.id, check.device, check.message);
     }
   }
   std::fflush(stdout);
