@@ -26,6 +26,16 @@ FramePass composite(const std::string& reflection) {
   return {.name = "composite", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
 }
 
+FramePass compositeReplace(const std::string& reflection) {
+  return {.name = "composite_replace", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
+}
+
+// The passes with one more, which puts what they made into the picture.
+std::vector<FramePass> endingWith(std::vector<FramePass> passes, FramePass last) {
+  passes.push_back(std::move(last));
+  return passes;
+}
+
 // Along x, then along y; an image cannot be read and written at once.
 std::vector<FramePass> blurPair(const std::string& name, const std::string& source, const std::string& output,
                                 int narrow) {
@@ -42,6 +52,15 @@ std::vector<FramePass> blurPair(const std::string& name, const std::string& sour
   return {along_x, along_y};
 }
 
+// Ends with the image reflection_weighed.
+std::vector<FramePass> coneMips() {
+  return {{.name = "copy_lit", .outputs = {"lit_mips"}, .inputs = {{"source", "lit"}}, .shader = "copy.frag"},
+          {.name = "mips_reduce", .outputs = {"lit_mips"}, .fills_mips = true},
+          {.name = "resolve_cone", .outputs = {"reflection"}},
+          confidence()};
+}
+
+// Ends with the image reflection_blurred_wide.
 std::vector<FramePass> glossBlur() {
   std::vector<FramePass> passes = {
       resolve(),
@@ -51,7 +70,6 @@ std::vector<FramePass> glossBlur() {
                            blurPair("blur_wide", "reflection_blurred", "reflection_blurred_wide", 0)}) {
     passes.insert(passes.end(), pair.begin(), pair.end());
   }
-  passes.push_back(composite("reflection_blurred_wide"));
   return passes;
 }
 
@@ -82,11 +100,7 @@ std::vector<Technique> compositeTechniques() {
        .about =
            "each reflection in the place of the environment's, in the metallic-roughness sum, by confidence",
        .frame = "full",
-       .after_trace = {resolve(),
-                       confidence(),
-                       {.name = "composite_replace",
-                        .outputs = {"composite"},
-                        .inputs = {{"reflection", "reflection_weighed"}}}}},
+       .after_trace = {resolve(), confidence(), compositeReplace("reflection_weighed")}},
   };
 }
 
@@ -94,17 +108,18 @@ std::vector<Technique> filterTechniques() {
   return {
       {.name = "cone_mips",
        .about = "one ray; the colour from the mip as large as the surface's cone is at the hit",
-       .after_trace = {{.name = "copy_lit",
-                        .outputs = {"lit_mips"},
-                        .inputs = {{"source", "lit"}},
-                        .shader = "copy.frag"},
-                       {.name = "mips_reduce", .outputs = {"lit_mips"}, .fills_mips = true},
-                       {.name = "resolve_cone", .outputs = {"reflection"}},
-                       confidence(),
-                       composite("reflection_weighed")}},
+       .after_trace = endingWith(coneMips(), composite("reflection_weighed"))},
       {.name = "gloss_blur",
        .about = "one ray; the reflection blurred by the surface's cone, up to edges of depth and normal",
-       .after_trace = glossBlur()},
+       .after_trace = endingWith(glossBlur(), composite("reflection_blurred_wide"))},
+      {.name = "replace_cone_mips",
+       .about = "cone_mips in the place of the environment's reflection",
+       .frame = "full",
+       .after_trace = endingWith(coneMips(), compositeReplace("reflection_weighed"))},
+      {.name = "replace_gloss_blur",
+       .about = "gloss_blur in the place of the environment's reflection",
+       .frame = "full",
+       .after_trace = endingWith(glossBlur(), compositeReplace("reflection_blurred_wide"))},
       {.name = "push_pull",
        .about = "holes of the reflection filled from the nearest pixels that are known",
        .after_trace = {resolve(),
