@@ -12,10 +12,10 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from kit import closed_form, gloss, rooms, views  # noqa: E402
+from kit import closed_form, gloss, rooms, sequences, views  # noqa: E402
 
 MAKERS = [closed_form.m1, closed_form.m2, closed_form.m3, closed_form.m4, rooms.clutter, rooms.thin, rooms.facing,
-          rooms.curved, gloss.gloss, views.corridor, views.outdoor]
+          rooms.curved, gloss.gloss, views.corridor, views.outdoor, sequences.moving]
 
 
 def write_all(folder):

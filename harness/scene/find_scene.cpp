@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<const char*, 11> kOrder{"m1",     "m2",     "m3",    "m4",       "clutter", "thin",
-                                             "facing", "curved", "gloss", "corridor", "outdoor"};
+constexpr std::array<const char*, 12> kOrder{"m1",     "m2",     "m3",    "m4",       "clutter", "thin",
+                                             "facing", "curved", "gloss", "corridor", "outdoor", "moving"};
 
 fs::path fileOf(const std::string& name, const fs::path& scenes_root) {
   return scenes_root / name / (name + ".gltf");

@@ -71,6 +71,13 @@ class Gltf:
             accessor["max"] = [max(column) for column in zip(*stored)]
         return self._append("accessors", accessor)
 
+    def _plain_vectors(self, vectors):
+        """Vectors that are not vertices."""
+        size = len(vectors[0])
+        data = struct.pack(f"<{size * len(vectors)}f", *(x for vector in vectors for x in vector))
+        return self._append("accessors", {"bufferView": self._view(data), "componentType": FLOAT,
+                                          "count": len(vectors), "type": f"VEC{size}"})
+
     def _accessors(self, shape):
         """One set of accessors for each shape, however many materials it is shown in."""
         if id(shape) not in self.accessors_of:
@@ -123,6 +130,19 @@ class Gltf:
         lens = {"yfov": fov_y, "znear": near, "zfar": far}
         camera = self._append("cameras", {"name": name, "type": "perspective", "perspective": lens})
         self._node({"name": name, "camera": camera}, at, turn)
+
+    def animate(self, path, times, values, interpolation="LINEAR"):
+        """Moves the node that was added last; `path` is "translation", "rotation" or "scale"."""
+        if "animations" not in self.root:
+            self._append("animations", {"name": "all", "samplers": [], "channels": []})
+        animation = self.root["animations"][0]
+        data = struct.pack(f"<{len(times)}f", *times)
+        keys = {"bufferView": self._view(data), "componentType": FLOAT, "count": len(times), "type": "SCALAR",
+                "min": [min(times)], "max": [max(times)]}
+        animation["samplers"].append({"input": self._append("accessors", keys), "interpolation": interpolation,
+                                      "output": self._plain_vectors(values)})
+        animation["channels"].append({"sampler": len(animation["samplers"]) - 1,
+                                      "target": {"node": len(self.root["nodes"]) - 1, "path": path}})
 
     def sun(self, elevation, azimuth, intensity=3.0, colour=(1, 0.97, 0.92)):
         """Light from `elevation` degrees above the horizon; azimuth 0 shines along -z, 90 along -x."""

@@ -214,10 +214,10 @@ TEST(LoadExpectations, FoldersAreReadInOrderAndIdsAreUnique) {
 
 TEST(LoadExpectations, TheBuiltInFilesAreAllGood) {
   const std::filesystem::path folder = std::filesystem::path(SSRKIT_SOURCE_DIR) / "tests" / "expect";
-  const KnownNames known{
-      {"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "gloss", "outdoor", "thin"},
-      {"gl-osmesa", "vk-lavapipe"},
-      {"naive", "refined", "dda", "hiz", "walk"}};
+  const KnownNames known{{"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "gloss",
+                          "moving", "outdoor", "thin"},
+                         {"gl-osmesa", "vk-lavapipe"},
+                         {"naive", "refined", "dda", "hiz", "walk"}};
   const auto tests = loadExpectations(folder, known);
   ASSERT_TRUE(tests.has_value()) << sentence(tests.error());
   EXPECT_GE(tests->size(), 16U);

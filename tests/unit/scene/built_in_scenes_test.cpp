@@ -78,8 +78,8 @@ TEST_P(BuiltInScene, SaysWhatItShowsAndWhatToLookFor) {
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltInScene, testing::ValuesIn(builtInScenes(kScenes)));
 
-TEST(BuiltInScenes, AreEleven) {
-  EXPECT_EQ(builtInScenes(kScenes).size(), 11U);
+TEST(BuiltInScenes, AreTwelve) {
+  EXPECT_EQ(builtInScenes(kScenes).size(), 12U);
 }
 
 TEST(BuiltInScenes, TakeLessThanOneAndAHalfMegabytes) {

@@ -19,7 +19,7 @@ std::string refusal(const std::string& name) {
 TEST(FindScene, ListsTheBuiltInScenesInTheirOrder) {
   EXPECT_EQ(builtInScenes(kScenes),
             (std::vector<std::string>{"m1", "m2", "m3", "m4", "clutter", "thin", "facing", "curved", "gloss",
-                                      "corridor", "outdoor"}));
+                                      "corridor", "outdoor", "moving"}));
   EXPECT_TRUE(builtInScenes("/no/such/folder").empty());
 }
 
