@@ -6,9 +6,12 @@
 //      material   r metallic, g roughness, b 1 where rays are traced
 //      emission   rgb, linear
 //      dist_view  metres (background: +inf, by the clear)
+//      motion     pixels: p_px now minus p_px of the same surface point in the previous frame; +inf where the point was
+//                 not before the near plane then (background: 0, by the clear)
 // A material is one row of material_table: base colour; metallic, roughness, mirror, alpha cutoff (negative: opaque);
 // emissive, normal scale; has base colour, metallic-roughness, normal, emissive texture; double-sided.
 #version 450
+#include "ssr_motion.glsl"
 #include "ssr_ordered.glsl"
 
 layout(binding = 1) uniform sampler2D material_table;
@@ -23,12 +26,15 @@ layout(location = 2) in vec4 tangent_view;
 layout(location = 3) in vec2 uv;
 layout(location = 4) flat in vec3 face_normal_view;
 layout(location = 5) flat in float material_index;
+layout(location = 6) in vec3 p_previous_view;
+layout(location = 7) flat in vec3 px_scale_and_near;
 
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_and_clearance;
 layout(location = 2) out vec4 material;
 layout(location = 3) out vec4 emission;
 layout(location = 4) out float dist_view;
+layout(location = 5) out vec2 motion;
 
 // Shading normal in view space, turned with the face (side is -1 on the back of a double-sided triangle).
 vec3 shading_normal(float side, float normal_scale, bool has_normal_texture) {
@@ -64,4 +70,5 @@ void main() {
   material = vec4(surface.x * roughness_metal.b, surface.y * roughness_metal.g, surface.z, 1.0);
   emission = vec4(emissive_and_scale.rgb * (has_texture.w ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
   dist_view = -p_view.z;
+  motion = motion_px(p_view, p_previous_view, px_scale_and_near.xy, px_scale_and_near.z);
 }

@@ -1,10 +1,14 @@
-// Draws the scene's triangles into the G-buffer: world-space vertices to view and clip space.
+// Draws the scene's triangles into the G-buffer: world-space vertices to view and clip space, and to the view space of
+// the previous frame.
 #version 450
 #include "ssr_spaces.glsl"
 
 layout(std140, binding = 0) uniform GbufferBlock {
   mat4 clip_from_view;
   mat4 view_from_world;
+  mat4 previous_view_from_world;
+  vec2 px_scale;
+  float near_m;
 };
 
 layout(location = 0) in vec3 in_p_world;
@@ -13,6 +17,7 @@ layout(location = 2) in vec4 in_tangent_world;
 layout(location = 3) in vec2 in_uv;
 layout(location = 4) in vec3 in_face_normal_world;
 layout(location = 5) in float in_material_index;
+layout(location = 6) in vec3 in_p_previous_world;
 
 layout(location = 0) out vec3 p_view;
 layout(location = 1) out vec3 normal_view;
@@ -20,6 +25,8 @@ layout(location = 2) out vec4 tangent_view;
 layout(location = 3) out vec2 uv;
 layout(location = 4) flat out vec3 face_normal_view;
 layout(location = 5) flat out float material_index;
+layout(location = 6) out vec3 p_previous_view;
+layout(location = 7) flat out vec3 px_scale_and_near;  // a program has one block, and this stage has it
 
 void main() {
   p_view = (view_from_world * vec4(in_p_world, 1.0)).xyz;
@@ -28,5 +35,7 @@ void main() {
   uv = in_uv;
   face_normal_view = mat3(view_from_world) * in_face_normal_world;
   material_index = in_material_index;
+  p_previous_view = (previous_view_from_world * vec4(in_p_previous_world, 1.0)).xyz;
+  px_scale_and_near = vec3(px_scale, near_m);
   gl_Position = rasterizer_from_clip(clip_from_view * vec4(p_view, 1.0));
 }

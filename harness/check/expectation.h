@@ -66,8 +66,11 @@ struct TestFile {
   std::vector<std::string> stages;
   std::vector<std::string> tags;
   std::string frame = "basic";  // the kind of frame that is drawn
-  std::string input;  // the device whose G-buffer every device is given; empty: each renders its own
-  int rounds = 0;     // interleaved timing rounds; 0: nothing is timed
+  std::string input;          // the device whose G-buffer every device is given; empty: each renders its own
+  std::optional<int> frames;  // of a sequence; absent: as many as its techniques want
+  std::optional<double> time_s;  // of the last frame
+  std::optional<double> time_step_s;
+  int rounds = 0;               // interleaved timing rounds; 0: nothing is timed
   std::vector<TestCase> cases;  // never empty
   std::vector<Expectation> expectations;
   std::string file;

@@ -114,7 +114,8 @@ Measurement imageFinite(const std::string& buffer, const Answer& self) {
     return cannotMeasure(fmt::format("{} left no buffer '{}'", self.device, buffer));
   }
   const Image* image = found->second;
-  const bool may_be_infinite = buffer == "dist_view";  // +inf is background
+  // +inf is background, and the motion of what was not before the previous camera.
+  const bool may_be_infinite = buffer == "dist_view" || buffer == "motion";
   Measurement measurement;
   measurement.compared_what = "pixels";
   measurement.compared = image->texelCount();

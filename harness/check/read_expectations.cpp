@@ -16,8 +16,9 @@ namespace ssrkit {
 namespace {
 
 const std::vector<std::string> kTopKeys = {"test", "case", "expect"};
-const std::vector<std::string> kTestKeys = {"id",     "about", "scenes", "camera", "sizes", "devices",
-                                            "stages", "tags",  "input",  "rounds", "frame"};
+const std::vector<std::string> kTestKeys = {"id",      "about",  "scenes", "camera",     "sizes",
+                                            "devices", "stages", "tags",   "input",      "rounds",
+                                            "frame",   "frames", "time_s", "time_step_s"};
 
 Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, const std::string& attempted,
                                TestFile& test) {
@@ -35,6 +36,11 @@ Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, 
   test.frame = fields.optionalText("frame").value_or(test.frame);
   constexpr int kMostRounds = 1000;
   test.rounds = fields.integer("rounds", 1, kMostRounds).value_or(0);
+  constexpr int kMostFrames = 1000;
+  test.frames = fields.integer("frames", 1, kMostFrames);
+  constexpr double kLongestTime = 1e6;
+  test.time_s = fields.number("time_s", -kLongestTime, kLongestTime);
+  test.time_step_s = fields.number("time_step_s", 0.0, kLongestTime);
   for (const std::string& text : fields.optionalTexts("sizes")) {
     const std::optional<Size> size = parseSize(text);
     if (!size) {

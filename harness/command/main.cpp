@@ -37,6 +37,14 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
                   "techniques need)");
   run->add_option("--technique", options.techniques,
                   "How a picture is made of the rays (default: the frame's own)");
+  run->add_option("--time", options.time_s,
+                  "Seconds of the scene's animation, for the last frame (default: the first frame is at 0)")
+      ->check(CLI::Range(-1e6, 1e6));
+  run->add_option("--frames", options.frames,
+                  "Frames to draw, the last one is shown and checked (default: what the techniques want)")
+      ->check(CLI::Range(1, 1000));
+  run->add_option("--time-step", options.time_step_s, "Seconds between two frames (default: 1/30)")
+      ->check(CLI::Range(0.0, 1e6));
   run->add_option("--device", options.devices,
                   "A device of `ssrkit devices` (default: gl-osmesa and vk-lavapipe)");
   run->add_option("--size", options.size, "WIDTHxHEIGHT in texels")->capture_default_str();

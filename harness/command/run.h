@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct RunOptions {
   std::vector<std::string> devices{"gl-osmesa", "vk-lavapipe"};
   std::string frame;                    // a row of frame/frames.h; empty: what the techniques need
   std::vector<std::string> techniques;  // rows of frame/techniques.h; empty: the frame's own
+  std::optional<int> frames;            // of a sequence; absent: as many as the techniques want
+  std::optional<double> time_s;         // of the last frame; absent: the first is at 0 s
+  std::optional<double> time_step_s;
   std::string size = "640x360";
   std::vector<std::string> parameters;  // "thickness_m=0.3"
   std::filesystem::path out = "out/run";

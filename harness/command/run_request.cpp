@@ -118,6 +118,9 @@ Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths
     }
   }
   test.rounds = kTimedRounds;
+  test.frames = options.frames;
+  test.time_s = options.time_s;
+  test.time_step_s = options.time_step_s;
   test.cases = {TestCase{}};
   TraceParameters scratch;
   for (const std::string& assignment : options.parameters) {

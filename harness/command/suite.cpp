@@ -10,6 +10,7 @@
 #include "check/judge.h"
 #include "command/scene_geometry.h"
 #include "frame/stages.h"
+#include "frame/techniques.h"
 #include "scene/defaults.h"
 #include "scene/find_scene.h"
 
@@ -29,6 +30,19 @@ bool needsGeometry(const TestFile& test, bool of_record) {
   return std::ranges::any_of(test.expectations, [&](const Expectation& expectation) {
     return expectation.truth.kind == TruthKind::kGeometry && (expectation.buffer == "hit") == of_record;
   });
+}
+
+// As many frames as the test says, or as its techniques want.
+Sequence sequenceOf(const TestFile& test) {
+  Sequence sequence;
+  sequence.time_s = test.time_s;
+  sequence.time_step_s = test.time_step_s.value_or(sequence.time_step_s);
+  for (const TestCase& test_case : test.cases) {
+    const auto technique = findTechnique(test_case.technique);
+    sequence.frame_count = std::max(sequence.frame_count, technique ? (*technique)->frame_count : 1);
+  }
+  sequence.frame_count = test.frames.value_or(sequence.frame_count);
+  return sequence;
 }
 
 }  // namespace
@@ -91,6 +105,7 @@ Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) co
   job.environment = options_.environment;
   job.size = size;
   job.frame = test.frame;
+  job.sequence = sequenceOf(test);
   job.timing.rounds = test.rounds;
   job.replacements = options_.replacements;
   job.shader_root = options_.shader_root;

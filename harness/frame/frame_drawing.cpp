@@ -17,12 +17,12 @@ bool readsShadowMap(const PreparedPass& pass) {
 }  // namespace
 
 Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSettings& settings,
-                                             const FrameKind& kind, std::optional<DrawnScene> scene,
+                                             const FrameKind& kind, const PosedScene* scene,
                                              const std::vector<std::string>& given_images,
                                              const Progress& progress) {
   FrameDrawing drawing;
   drawing.scene_ = scene;
-  if (scene) {
+  if (scene != nullptr) {
     progress("compile gbuffer");
     const auto program = programs.get(gbufferPass(), settings);
     if (!program) {
@@ -40,7 +40,7 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   }
   drawing.passes_ = std::move(*prepared);
   drawing.reads_shadow_map_ = std::ranges::any_of(drawing.passes_, readsShadowMap);
-  if (scene && drawing.reads_shadow_map_) {
+  if (scene != nullptr && drawing.reads_shadow_map_) {
     progress("compile shadow_map");
     const auto program = programs.get(shadowMapPass(), settings);
     if (!program) {
@@ -53,9 +53,9 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
 
 Expected<void> FrameDrawing::draw(Device& device, FrameImages& images, const UniformValues& values,
                                   const Progress& progress) {
-  if (scene_) {
+  if (scene_ != nullptr) {
     progress("draw gbuffer");
-    const auto time = drawGbuffer(device, *gbuffer_, *scene_->scene, *scene_->resources, images, values);
+    const auto time = drawGbuffer(device, *gbuffer_, scene_->scene, scene_->resources, images, values);
     if (!time) {
       return tl::make_unexpected(time.error());
     }
@@ -81,12 +81,12 @@ Expected<void> FrameDrawing::drawShadows(Device& device, FrameImages& images, co
   if (!reads_shadow_map_) {
     return {};
   }
-  if (!scene_) {
+  if (scene_ == nullptr) {
     return clearShadowMap(device, images);
   }
   progress("draw shadow_map");
-  const auto time = drawShadowMap(device, *shadow_map_, scene_->shadow_cascade_count, *scene_->scene,
-                                  *scene_->resources, images, values);
+  const auto time = drawShadowMap(device, *shadow_map_, scene_->shadow_cascade_count, scene_->scene,
+                                  scene_->resources, images, values);
   if (!time) {
     return tl::make_unexpected(time.error());
   }

@@ -1,7 +1,6 @@
 // What all traces of a job share: the G-buffer and the passes of the frame's kind.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,26 +9,18 @@
 #include "frame/frame_images.h"
 #include "frame/frames.h"
 #include "frame/pass_times.h"
+#include "frame/posed_scene.h"
 #include "frame/programs.h"
 #include "frame/progress.h"
-#include "frame/scene_resources.h"
-#include "scene/scene.h"
 
 namespace ssrkit {
-
-// A scene whose G-buffer is drawn; neither is owned.
-struct DrawnScene {
-  const Scene* scene = nullptr;
-  const SceneResources* resources = nullptr;
-  int shadow_cascade_count = 1;
-};
 
 class FrameDrawing {
  public:
   // Compiles what is needed. Without a scene the G-buffer's images are there already; so are those of
   // `given_images`: a pass whose first output is among them is left out.
   [[nodiscard]] static Expected<FrameDrawing> prepare(Programs& programs, const CompileSettings& settings,
-                                                      const FrameKind& kind, std::optional<DrawnScene> scene,
+                                                      const FrameKind& kind, const PosedScene* scene,
                                                       const std::vector<std::string>& given_images,
                                                       const Progress& progress);
 
@@ -37,6 +28,7 @@ class FrameDrawing {
   [[nodiscard]] Expected<void> draw(Device& device, FrameImages& images, const UniformValues& values,
                                     const Progress& progress);
 
+  [[nodiscard]] const std::vector<PreparedPass>& passes() const { return passes_; }
   [[nodiscard]] const std::vector<PassReport>& times() const { return times_.reports(); }
 
  private:
@@ -44,7 +36,7 @@ class FrameDrawing {
   [[nodiscard]] Expected<void> drawShadows(Device& device, FrameImages& images, const UniformValues& values,
                                            const Progress& progress);
 
-  std::optional<DrawnScene> scene_;
+  const PosedScene* scene_ = nullptr;  // not owned; posed anew before each frame
   const Program* gbuffer_ = nullptr;
   bool reads_shadow_map_ = false;
   const Program* shadow_map_ = nullptr;

@@ -11,7 +11,7 @@ namespace ssrkit {
 namespace {
 
 constexpr double kBackground = std::numeric_limits<double>::infinity();
-constexpr std::size_t kGbufferCount = 5;
+constexpr std::size_t kGbufferCount = 6;
 
 const std::vector<FrameImageRow>& table() {
   using enum Format;
@@ -48,6 +48,7 @@ const std::vector<FrameImageRow>& table() {
        .channels = {"Z"},
        .folder = "gbuffer",
        .clear = {kBackground, 0, 0, 0}},
+      {.name = "motion", .format = kRg32f, .channels = {"X", "Y"}, .folder = "gbuffer"},
       {.name = "depth_window",
        .format = kD32f,
        .channels = {"Z"},
@@ -97,6 +98,14 @@ const std::vector<FrameImageRow>& table() {
       {.name = "reflection_blurred_wide", .format = kRgba16f, .channels = rgba},
       {.name = "known", .format = kRgba16f, .has_mips = true},
       {.name = "reflection_filled", .format = kRgba16f, .channels = rgba},
+      // 32 bits: drivers round halves towards zero, and an average of averages would darken from frame to frame.
+      {.name = "accumulated", .format = kRgba32f, .channels = rgba},
+      {.name = "history_length", .format = kR32f, .channels = {"Y"}},
+      // The previous frame's. Without one nothing was seen: a surface at distance 0 is nobody's past.
+      {.name = "previous_lit", .format = kRgba16f, .previous_of = "lit"},
+      {.name = "previous_dist_view", .format = kR32f, .previous_of = "dist_view"},
+      {.name = "previous_accumulated", .format = kRgba32f, .previous_of = "accumulated"},
+      {.name = "previous_history_length", .format = kR32f, .previous_of = "history_length"},
       {.name = "composite", .format = kRgba16f, .channels = rgb},
   };
   return rows;
@@ -126,14 +135,18 @@ const FrameImageRow& frameImageRow(std::string_view name) {
 }
 
 Expected<DeviceImage*> FrameImages::get(const std::string& name) {
-  const FrameImageRow& row = frameImageRow(name);
+  return getSized(descOf(name, name));
+}
+
+ImageDesc FrameImages::descOf(const std::string& row_name, const std::string& name) const {
+  const FrameImageRow& row = frameImageRow(row_name);
   const Size size{(size_.width + row.divisor - 1) / row.divisor,
                   (size_.height + row.divisor - 1) / row.divisor};
   const auto longer_side = static_cast<unsigned>(std::max(size.width, size.height));
-  return getSized({.name = name,
-                   .format = row.format,
-                   .size = size,
-                   .mip_count = row.has_mips ? static_cast<int>(std::bit_width(longer_side)) : 1});
+  return {.name = name,
+          .format = row.format,
+          .size = size,
+          .mip_count = row.has_mips ? static_cast<int>(std::bit_width(longer_side)) : 1};
 }
 
 SampledImage FrameImages::sampled(const std::string& name) const {

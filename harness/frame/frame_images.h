@@ -20,6 +20,7 @@ struct FrameImageRow {
   std::vector<std::string> channels = {};  // of the EXR file; empty: never leaves the device
   std::string folder =
       {};  // where in DIR/SCENE/DEVICE all traces' images are written; empty: one trace's image
+  std::string previous_of = {};  // the image that this is one frame earlier; then `clear` says: no history
   std::array<double, 4> clear{};
   std::array<float, 4> upload_default{};  // what a G-buffer made by others has where it lacks this image
   int divisor = 1;                        // sides are the frame's over this, rounded up
@@ -42,6 +43,9 @@ class FrameImages {
 
   // A row's image, at the frame's size over the row's divisor.
   [[nodiscard]] Expected<DeviceImage*> get(const std::string& name);
+
+  // The size, format and mips of a row's image, under a name.
+  [[nodiscard]] ImageDesc descOf(const std::string& row_name, const std::string& name) const;
 
   // An image of a size and format of its own (pyramids, textures), under a name of its own.
   [[nodiscard]] Expected<DeviceImage*> getSized(const ImageDesc& desc);

@@ -32,6 +32,7 @@ const std::vector<FileRow>& fileRows() {
       {"albedo", false, {{"R", "G", "B"}}},
       {"material", false, {{"R", "G", "B"}}},
       {"emission", false, {{"R", "G", "B"}}},
+      {"motion", false, {{"X", "Y"}, {"R", "G"}}},
       {"lit", false, {{"R", "G", "B"}}},
       {"lit_base", false, {{"R", "G", "B"}}},
   };

@@ -78,6 +78,12 @@ void setCameraUniforms(UniformValues& values, const Camera& camera) {
   values.set("near_m", camera.near_m);
   values.set("clip_from_view", camera.clip_from_view);
   values.set("view_from_world", camera.view_from_world);
+  const glm::dmat4 previous = camera.previous_view_from_world.value_or(camera.view_from_world);
+  values.set("previous_view_from_world", previous);
+  // Exactly the identity when the camera stands still, so that reprojection is.
+  values.set("previous_view_from_view", camera.previous_view_from_world
+                                            ? previous * glm::inverse(camera.view_from_world)
+                                            : glm::dmat4(1.0));
   // Set anew by buildPyramid; the tracers that read no pyramid share the block.
   values.set("atlas_rows", 0.0);
   values.set("atlas_texel_uv", glm::dvec2(0.0));

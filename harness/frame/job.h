@@ -9,6 +9,7 @@
 
 #include "base/size.h"
 #include "device/device.h"
+#include "frame/sequence.h"
 #include "image/image.h"
 #include "image/ray_record.h"
 #include "scene/scene.h"
@@ -48,6 +49,7 @@ struct Job {
   std::optional<Camera> gbuffer_camera;
   Size size;
   std::string frame = "basic";  // a row of frame/frames.h
+  Sequence sequence;            // a G-buffer made by others stays the same in all of its frames
   std::vector<TraceRequest> traces;
   TimingRequest timing;
   std::vector<ShaderReplacement> replacements;

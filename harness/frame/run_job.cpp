@@ -5,44 +5,33 @@
 #include <map>
 #include <optional>
 
-#include "base/check.h"
-#include "base/text.h"
 #include "frame/environment_images.h"
 #include "frame/frame_drawing.h"
-#include "frame/gbuffer_source.h"
+#include "frame/given_gbuffer.h"
+#include "frame/history.h"
 #include "frame/image_transfer.h"
+#include "frame/posed_scene.h"
 #include "frame/replacements.h"
-#include "frame/shadow_map.h"
 #include "frame/tracing.h"
-#include "scene/load.h"
 
 namespace ssrkit {
 
 namespace {
 
-struct LoadedScene {
-  Scene scene;
-  SceneResources resources;
-};
-
-Expected<Camera> sceneCamera(const Scene& scene, const Job& job) {
-  std::vector<std::string> names;
-  for (const SceneCamera& camera : scene.cameras) {
-    if (job.camera_name.empty() || camera.name == job.camera_name) {
-      return cameraFor(camera, job.size);
-    }
-    names.push_back(camera.name);
-  }
-  return inputError(fmt::format("use the camera '{}'", job.camera_name), "the scene has no such camera",
-                    job.scene_file.string(), "its cameras are " + joinNames(names));
+// Tells the histories of a job's traces apart.
+std::string ownerName(std::size_t trace) {
+  return fmt::format("trace {}", trace);
 }
 
-// A G-buffer made by others brings no lights: one from above and behind the camera, under the default sky.
-Scene defaultLight() {
-  Scene scene;
-  scene.directional_lights = {
-      {.direction_world = glm::normalize(glm::dvec3(-0.4, -0.8, -0.45)), .radiance = glm::vec3(3.0F)}};
-  return scene;
+Expected<void> readTrace(Device& device, const Tracing& tracing, const FrameImages& images,
+                         const Progress& progress, JobResult& result) {
+  progress("read back");
+  auto read = tracing.read(device, images);
+  if (!read) {
+    return tl::make_unexpected(read.error());
+  }
+  result.traces.push_back(std::move(*read));
+  return {};
 }
 
 }  // namespace
@@ -50,21 +39,23 @@ Scene defaultLight() {
 struct JobRunner::Impl {
   Device& device;
   Programs programs;
-  std::map<std::string, LoadedScene> scenes;
+  std::map<std::string, PosedScene> scenes;
   std::optional<FrameImages> images;
 
-  [[nodiscard]] Expected<const LoadedScene*> loaded(const Job& job);
+  [[nodiscard]] Expected<PosedScene*> loaded(const Job& job);
   [[nodiscard]] Expected<FrameDrawing> frame(const Job& job, const CompileSettings& settings,
                                              const Progress& progress, UniformValues& values,
                                              JobResult& result);
-  [[nodiscard]] Expected<std::optional<DrawnScene>> scene(const Job& job, const Progress& progress,
-                                                          UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<std::vector<std::string>> upload(const Job& job, const Progress& progress,
-                                                          UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<void> light(const Job& job, const Scene& scene, const FrameKind& kind,
-                                     const Progress& progress, UniformValues& values, const Camera& camera);
+  [[nodiscard]] Expected<const PosedScene*> scene(const Job& job, const Progress& progress,
+                                                  JobResult& result);
+  [[nodiscard]] Expected<void> pose(const Job& job, int frame, UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> environment(const Job& job, const Scene& scene, const Progress& progress,
+                                           UniformValues& values);
   [[nodiscard]] Expected<void> draw(const Job& job, const CompileSettings& settings, const Progress& progress,
                                     UniformValues& values, JobResult& result);
+  [[nodiscard]] Expected<void> drawSequence(const Job& job, FrameDrawing& drawing,
+                                            std::vector<Tracing>& tracings, UniformValues& values,
+                                            const Progress& progress, JobResult& result);
   [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
 };
 
@@ -73,80 +64,53 @@ JobRunner::JobRunner(Device& device, ShaderTarget target)
 
 JobRunner::~JobRunner() = default;
 
-Expected<const LoadedScene*> JobRunner::Impl::loaded(const Job& job) {
+Expected<PosedScene*> JobRunner::Impl::loaded(const Job& job) {
   const std::string key =
       fmt::format("{}|{}|{}", job.scene_file.string(), job.mirror_material, job.camera_name);
   if (const auto found = scenes.find(key); found != scenes.end()) {
     return &found->second;
   }
-  auto scene =
-      loadScene(job.scene_file, {.mirror_material = job.mirror_material, .camera_name = job.camera_name});
+  auto scene = loadPosedScene(device, job);
   if (!scene) {
     return tl::make_unexpected(scene.error());
   }
-  auto resources = uploadScene(device, *scene);
-  if (!resources) {
-    return tl::make_unexpected(resources.error());
-  }
   // One scene at a time: jobs come scene by scene, and scenes may be large.
   scenes.clear();
-  return &scenes.emplace(key, LoadedScene{std::move(*scene), std::move(*resources)}).first->second;
+  return &scenes.emplace(key, *std::move(scene)).first->second;
 }
 
-Expected<std::optional<DrawnScene>> JobRunner::Impl::scene(const Job& job, const Progress& progress,
-                                                           UniformValues& values, JobResult& result) {
+Expected<const PosedScene*> JobRunner::Impl::scene(const Job& job, const Progress& progress,
+                                                   JobResult& result) {
   progress("load " + job.scene_file.filename().string());
   const auto scene = loaded(job);
   if (!scene) {
     return tl::make_unexpected(scene.error());
   }
-  const auto camera = sceneCamera((*scene)->scene, job);
+  result.notes = (*scene)->scene.notes;
+  return *scene;
+}
+
+// A G-buffer made by others stays as it is.
+Expected<void> JobRunner::Impl::pose(const Job& job, int frame, UniformValues& values, JobResult& result) {
+  values.set("frame_index", frame);
+  if (job.gbuffer_camera) {
+    return {};
+  }
+  const auto scene = loaded(job);
+  if (!scene) {
+    return tl::make_unexpected(scene.error());
+  }
+  const auto camera = poseForFrame(device, job, frame, **scene, values);
   if (!camera) {
     return tl::make_unexpected(camera.error());
   }
   result.camera = *camera;
-  result.notes = (*scene)->scene.notes;
-  setCameraUniforms(values, result.camera);
-  return DrawnScene{.scene = &(*scene)->scene,
-                    .resources = &(*scene)->resources,
-                    .shadow_cascade_count = setShadowUniforms(values, (*scene)->scene, result.camera)};
+  return {};
 }
 
-// The names of the images that were given.
-Expected<std::vector<std::string>> JobRunner::Impl::upload(const Job& job, const Progress& progress,
-                                                           UniformValues& values, JobResult& result) {
-  progress("upload gbuffer");
-  result.camera = *job.gbuffer_camera;
-  setCameraUniforms(values, result.camera);
-  // Nothing casts a shadow: there is one empty cascade.
-  SSRKIT_CHECK_EQ(setShadowUniforms(values, defaultLight(), result.camera), 1);
-  if (const auto uploaded = uploadGbuffer(device, job.gbuffer, *images); !uploaded) {
-    return tl::make_unexpected(uploaded.error());
-  }
-  std::vector<std::string> given;
-  for (const std::string name : {"lit", "lit_base"}) {
-    const auto found = job.gbuffer.find(name);
-    if (found == job.gbuffer.end()) {
-      continue;
-    }
-    const auto image = images->get(name);
-    const auto done = image ? uploadImage(device, **image, found->second, {0, 0, 0, 1})
-                            : tl::make_unexpected(image.error());
-    if (!done) {
-      return tl::make_unexpected(done.error());
-    }
-    given.push_back(name);
-  }
-  return given;
-}
-
-// The lights' uniforms and, where the kind of frame samples them, the environment's maps.
-Expected<void> JobRunner::Impl::light(const Job& job, const Scene& scene, const FrameKind& kind,
-                                      const Progress& progress, UniformValues& values, const Camera& camera) {
-  setLightUniforms(values, scene, camera.view_from_world);
-  if (!kind.has_environment) {
-    return {};
-  }
+// The maps of what is around the scene.
+Expected<void> JobRunner::Impl::environment(const Job& job, const Scene& scene, const Progress& progress,
+                                            UniformValues& values) {
   progress("prepare environment");
   const auto maps = environmentMaps(environmentSource(scene, job.environment));
   return maps ? uploadEnvironment(device, *maps, *images, values) : tl::make_unexpected(maps.error());
@@ -159,10 +123,12 @@ Expected<FrameDrawing> JobRunner::Impl::frame(const Job& job, const CompileSetti
   if (!kind) {
     return tl::make_unexpected(kind.error());
   }
-  std::optional<DrawnScene> drawn;
+  const PosedScene* drawn = nullptr;
   std::vector<std::string> given;
   if (job.gbuffer_camera) {
-    auto uploaded = upload(job, progress, values, result);
+    progress("upload gbuffer");
+    result.camera = *job.gbuffer_camera;
+    auto uploaded = uploadGiven(device, job, *images, values);
     if (!uploaded) {
       return tl::make_unexpected(uploaded.error());
     }
@@ -172,16 +138,17 @@ Expected<FrameDrawing> JobRunner::Impl::frame(const Job& job, const CompileSetti
                         fmt::format("the frame '{}' needs both lit and lit_base, or neither", job.frame));
     }
   } else {
-    const auto placed = scene(job, progress, values, result);
+    const auto placed = scene(job, progress, result);
     if (!placed) {
       return tl::make_unexpected(placed.error());
     }
     drawn = *placed;
   }
-  if (const auto lit =
-          light(job, drawn ? *drawn->scene : defaultLight(), **kind, progress, values, result.camera);
-      !lit) {
-    return tl::make_unexpected(lit.error());
+  if ((*kind)->has_environment) {
+    const Scene& around = drawn != nullptr ? drawn->scene : sceneOfGiven();
+    if (const auto made = environment(job, around, progress, values); !made) {
+      return tl::make_unexpected(made.error());
+    }
   }
   return FrameDrawing::prepare(programs, settings, **kind, drawn, given, progress);
 }
@@ -200,26 +167,41 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
     }
     tracings.push_back(std::move(*tracing));
   }
-  for (int round = 0; round <= job.timing.rounds; ++round) {
-    if (const auto drawn = drawing->draw(device, *images, values, progress); !drawn) {
-      return drawn;
-    }
-    for (Tracing& tracing : tracings) {
-      if (const auto drawn = tracing.draw(device, *images, values, progress); !drawn) {
-        return drawn;
-      }
-      if (round == job.timing.rounds) {
-        progress("read back");
-        auto read = tracing.read(device, *images);
-        if (!read) {
-          return tl::make_unexpected(read.error());
-        }
-        result.traces.push_back(std::move(*read));
-      }
-    }
+  if (auto drawn = drawSequence(job, *drawing, tracings, values, progress, result); !drawn) {
+    return drawn;
   }
   result.frame_passes = drawing->times();
   return {};
+}
+
+// All frames of the sequence, the last one as often as it is timed.
+Expected<void> JobRunner::Impl::drawSequence(const Job& job, FrameDrawing& drawing,
+                                             std::vector<Tracing>& tracings, UniformValues& values,
+                                             const Progress& progress, JobResult& result) {
+  History history;
+  history.watchFrame(drawing.passes());
+  for (std::size_t i = 0; i < tracings.size(); ++i) {
+    tracings[i].watchHistory(history, ownerName(i));
+  }
+  auto done = history.clear(device, *images);
+  const int last = job.sequence.frame_count - 1;
+  for (int frame = 0; done && frame <= last; ++frame) {
+    done = pose(job, frame, values, result);
+    const int rounds = frame == last ? job.timing.rounds : 0;
+    for (int round = 0; done && round <= rounds; ++round) {
+      done = drawing.draw(device, *images, values, progress);
+      for (std::size_t i = 0; done && i < tracings.size(); ++i) {
+        done = tracings[i].draw(device, *images, values, progress);
+        if (done && frame < last) {
+          done = history.keep(device, *images, ownerName(i));
+        } else if (done && round == rounds) {
+          done = readTrace(device, tracings[i], *images, progress, result);
+        }
+      }
+    }
+    done = done && frame < last ? history.keep(device, *images, "") : done;
+  }
+  return done;
 }
 
 Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {

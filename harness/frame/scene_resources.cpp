@@ -106,12 +106,17 @@ std::vector<VertexAttribute> vertexAttributes() {
           {2, VertexFormat::kFloat4, offsetof(Vertex, tangent_world)},
           {3, VertexFormat::kFloat2, offsetof(Vertex, uv)},
           {4, VertexFormat::kFloat3, offsetof(Vertex, face_normal_world)},
-          {5, VertexFormat::kFloat1, offsetof(Vertex, material_index)}};
+          {5, VertexFormat::kFloat1, offsetof(Vertex, material_index)},
+          {6, VertexFormat::kFloat3, offsetof(Vertex, p_previous_world)}};
+}
+
+Expected<std::unique_ptr<DeviceBuffer>> uploadVertices(Device& device, const Scene& scene) {
+  return device.createVertexBuffer(std::as_bytes(std::span(scene.vertices)));
 }
 
 Expected<SceneResources> uploadScene(Device& device, const Scene& scene) {
   SceneResources resources;
-  auto vertices = device.createVertexBuffer(std::as_bytes(std::span(scene.vertices)));
+  auto vertices = uploadVertices(device, scene);
   if (!vertices) {
     return tl::make_unexpected(vertices.error());
   }

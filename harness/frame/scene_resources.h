@@ -21,6 +21,9 @@ struct SceneResources {
 
 [[nodiscard]] Expected<SceneResources> uploadScene(Device& device, const Scene& scene);
 
+// The vertices as they are posed now.
+[[nodiscard]] Expected<std::unique_ptr<DeviceBuffer>> uploadVertices(Device& device, const Scene& scene);
+
 // How gbuffer.vert reads scene.h's Vertex.
 [[nodiscard]] std::vector<VertexAttribute> vertexAttributes();
 

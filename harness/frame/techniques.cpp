@@ -6,6 +6,7 @@
 #include "frame/composite_techniques.h"
 #include "frame/find_row.h"
 #include "frame/rough_techniques.h"
+#include "frame/temporal_techniques.h"
 
 namespace ssrkit {
 
@@ -21,7 +22,7 @@ std::vector<Technique> joined(std::vector<std::vector<Technique>> families) {
 
 const std::vector<Technique>& table() {
   static const std::vector<Technique> rows =
-      joined({compositeTechniques(), filterTechniques(), roughTechniques()});
+      joined({compositeTechniques(), filterTechniques(), roughTechniques(), temporalTechniques()});
   return rows;
 }
 

@@ -22,6 +22,8 @@ struct Technique {
   int sample_count = 1;
   std::vector<FramePass> after_sample = {};  // after each sample's trace
   std::vector<FramePass> after_trace = {};   // once, at the end
+  // How many frames it wants unless told otherwise: what reads the previous frame shows nothing in the first.
+  int frame_count = 1;
   std::vector<std::string> read_back = {"reflection", "composite"};
 };
 

@@ -84,6 +84,12 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   return tracing;
 }
 
+void Tracing::watchHistory(History& history, const std::string& owner) {
+  for (std::vector<PreparedPass>* passes : {&before_trace_, &after_sample_, &after_trace_}) {
+    history.watchTrace(*passes, owner);
+  }
+}
+
 Expected<void> Tracing::drawAll(Device& device, const std::vector<PreparedPass>& passes, FrameImages& images,
                                 const UniformValues& values, const Progress& progress) {
   for (const PreparedPass& pass : passes) {

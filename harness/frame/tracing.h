@@ -8,6 +8,7 @@
 #include "device/device.h"
 #include "frame/frame_images.h"
 #include "frame/frame_pass.h"
+#include "frame/history.h"
 #include "frame/job.h"
 #include "frame/pass_times.h"
 #include "frame/programs.h"
@@ -31,6 +32,9 @@ class Tracing {
   [[nodiscard]] static Expected<Tracing> prepare(Programs& programs, const CompileSettings& settings,
                                                  const TraceRequest& request, Size size,
                                                  const Progress& progress);
+
+  // Has the history keep what the technique reads of the previous frame; `owner` tells traces apart.
+  void watchHistory(History& history, const std::string& owner);
 
   // One round: pyramid, then for each sample the trace and what the technique does around it.
   [[nodiscard]] Expected<void> draw(Device& device, FrameImages& images, UniformValues& values,

@@ -53,7 +53,8 @@ Expected<void> validate(const Camera& camera, const std::string& attempted) {
     return inputError(
         attempted, fmt::format("the size {}x{} is outside 1x1 to {}x{}", width, height, kMaxSize, kMaxSize));
   }
-  if (!isFinite(camera.clip_from_view) || !isFinite(camera.view_from_world)) {
+  if (!isFinite(camera.clip_from_view) || !isFinite(camera.view_from_world) ||
+      !isFinite(camera.previous_view_from_world.value_or(glm::dmat4(1.0)))) {
     return inputError(attempted, "a matrix of the camera holds a number that is not finite");
   }
   if (!isPerspective(camera.clip_from_view)) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "base/error.h"
 #include "base/size.h"
@@ -14,8 +15,9 @@ namespace ssrkit {
 
 struct Camera {
   Size size;
-  glm::dmat4 clip_from_view{1.0};   // perspective: clip.w = dist_view
-  glm::dmat4 view_from_world{1.0};  // rigid
+  glm::dmat4 clip_from_view{1.0};                           // perspective: clip.w = dist_view
+  glm::dmat4 view_from_world{1.0};                          // rigid
+  std::optional<glm::dmat4> previous_view_from_world = {};  // in the previous frame; absent: as now
   double near_m = 0.1;
   double far_m = 1000.0;
 };

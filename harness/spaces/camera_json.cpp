@@ -79,6 +79,11 @@ std::string readSize(const ordered_json& json, Size& size) {
   return {};
 }
 
+std::string readPrevious(const ordered_json& json, std::optional<glm::dmat4>& previous_view_from_world) {
+  const char* const key = "previous_view_from_world";
+  return json.contains(key) ? readMatrix(json, key, previous_view_from_world.emplace()) : "";
+}
+
 }  // namespace
 
 std::string toJson(const Camera& camera) {
@@ -88,6 +93,9 @@ std::string toJson(const Camera& camera) {
   json["size"] = {camera.size.width, camera.size.height};
   json["clip_from_view"] = rowsOf(camera.clip_from_view);
   json["view_from_world"] = rowsOf(camera.view_from_world);
+  if (camera.previous_view_from_world) {
+    json["previous_view_from_world"] = rowsOf(*camera.previous_view_from_world);
+  }
   json["near_m"] = camera.near_m;
   json["far_m"] = camera.far_m;
   json["conventions"] = {{"matrices", "row-major, p_clip = clip_from_view * view_from_world * p_world"},
@@ -114,7 +122,8 @@ Expected<Camera> cameraFromJson(std::string_view text, const std::string& where)
   for (const std::string& problem :
        {readSize(json, camera.size), readMatrix(json, "clip_from_view", camera.clip_from_view),
         readMatrix(json, "view_from_world", camera.view_from_world),
-        readNumber(json, "near_m", camera.near_m), readNumber(json, "far_m", camera.far_m)}) {
+        readPrevious(json, camera.previous_view_from_world), readNumber(json, "near_m", camera.near_m),
+        readNumber(json, "far_m", camera.far_m)}) {
     if (!problem.empty()) {
       return inputError(attempted, problem, where, "see docs/formats.md");
     }

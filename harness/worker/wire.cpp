@@ -37,7 +37,13 @@ void fields(Archive& archive, T& matrix) {
 
 template <class Archive, Is<Camera> T>
 void fields(Archive& archive, T& camera) {
-  archive(camera.size, camera.clip_from_view, camera.view_from_world, camera.near_m, camera.far_m);
+  archive(camera.size, camera.clip_from_view, camera.view_from_world, camera.previous_view_from_world,
+          camera.near_m, camera.far_m);
+}
+
+template <class Archive, Is<Sequence> T>
+void fields(Archive& archive, T& sequence) {
+  archive(sequence.time_s, sequence.frame_count, sequence.time_step_s);
 }
 
 template <class Archive, Is<Image> T>
@@ -88,8 +94,8 @@ void fields(Archive& archive, T& choice) {
 template <class Archive, Is<Job> T>
 void fields(Archive& archive, T& job) {
   archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.environment, job.gbuffer,
-          job.gbuffer_camera, job.size, job.frame, job.traces, job.timing.rounds, job.replacements,
-          job.shader_root, job.optimise_spirv, job.want_gbuffer);
+          job.gbuffer_camera, job.size, job.frame, job.sequence, job.traces, job.timing.rounds,
+          job.replacements, job.shader_root, job.optimise_spirv, job.want_gbuffer);
 }
 
 template <class Archive, Is<PassTime> T>

@@ -145,12 +145,28 @@ TEST(ReadExpectations, IdsAreSmallLettersDigitsDotsAndDashes) {
   EXPECT_COMPLAINT(changed("t_inf", "t inf"), "'t inf' is no id");
 }
 
+TEST(ReadExpectations, ASequenceIsReadWhereItIsGiven) {
+  const Expected<TestFile> plain = readExpectations(kGood, "t.toml");
+  ASSERT_TRUE(plain.has_value());
+  EXPECT_FALSE(plain->frames.has_value() || plain->time_s.has_value() || plain->time_step_s.has_value());
+  const Expected<TestFile> test =
+      readExpectations(changed("rounds = 12", "frames = 3\ntime_s = -1.5\ntime_step_s = 0"), "t.toml");
+  ASSERT_TRUE(test.has_value()) << sentence(test.error());
+  EXPECT_EQ(test->frames, 3);
+  EXPECT_EQ(test->time_s, -1.5);
+  EXPECT_EQ(test->time_step_s, 0.0);
+}
+
 TEST(ReadExpectations, ValuesOutOfRangeAreRefused) {
   EXPECT_COMPLAINT(changed("640x360", "640*360"), "t.toml:5:", "is no size");
   EXPECT_COMPLAINT(changed("640x360", "0x360"), "is no size");
   EXPECT_COMPLAINT(changed("640x360", "16385x1"), "is no size");
   EXPECT_COMPLAINT(changed("640x360", "1.5x2"), "is no size");
   EXPECT_COMPLAINT(changed("rounds = 12", "rounds = 0"), "outside 1 to 1000");
+  EXPECT_COMPLAINT(changed("rounds = 12", "frames = 0"), "outside 1 to 1000");
+  EXPECT_COMPLAINT(changed("rounds = 12", "time_step_s = -0.1"), "'time_step_s'");
+  EXPECT_COMPLAINT(changed("rounds = 12", "time_s = inf"), "'time_s'");
+  EXPECT_COMPLAINT(changed("rounds = 12", "time = 1.0"), "'time'");
   EXPECT_COMPLAINT(changed("thickness_rel = 0.05", "thickness_rel = -1.0"), "t.toml:16:");
   EXPECT_COMPLAINT(changed("min = 13", "min = nan"), "'min'");
   EXPECT_COMPLAINT(changed("min = 13", "min = 13\nmax = 12"), "larger than 'max'");

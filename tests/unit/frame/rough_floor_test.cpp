@@ -57,6 +57,7 @@ std::map<int, Image> RoughFloorTest::means(const std::string& technique, int sam
   for (int sample = 0; sample < sample_count; ++sample) {
     values_.set("sample_index", sample);
     values_.set("sample_count", sample_count);
+    values_.set("frame_index", 0);
     drawAll(each);
     if (std::ranges::find(counts, sample + 1) != counts.end()) {
       values_.set("sample_count", sample + 1);

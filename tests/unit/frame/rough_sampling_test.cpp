@@ -65,6 +65,7 @@ class RoughSamplingTest : public PassTest {
   Image sampled(const std::string& shader, int index) {
     values_.set("sample_index", index);
     values_.set("sample_count", kRounds);
+    values_.set("frame_index", 0);
     values_.set("point_set", kWhite);
     return draw(shader, kSize);
   }

@@ -34,6 +34,7 @@ Camera sampleCamera() {
     camera.clip_from_view[i / 4][i % 4] = 1.0 / (i + 3);
     camera.view_from_world[i / 4][i % 4] = -std::sqrt(i + 2.0);
   }
+  camera.previous_view_from_world = 3.0 * camera.view_from_world;
   camera.near_m = 0.1 + 0.2;  // 0.30000000000000004
   camera.far_m = kInfinity;
   return camera;
@@ -108,6 +109,7 @@ Job sampleJob() {
   job.gbuffer_camera = sampleCamera();
   job.size = {7, 5};
   job.frame = "full";
+  job.sequence = {.time_s = 1.0 / 3.0, .frame_count = 5, .time_step_s = 0.1};
   job.traces = {{"hiz", sampleParameters(), "replace"}, {"dda", {}, ""}};
   job.timing.rounds = 11;
   job.replacements = {{"trace_hiz", "/tmp/mine.frag"}};
@@ -143,7 +145,8 @@ bool sameBits(const Image& a, const Image& b) {
 }
 
 bool sameBits(const Camera& a, const Camera& b) {
-  bool same = a.size == b.size && sameBits(a.near_m, b.near_m) && sameBits(a.far_m, b.far_m);
+  bool same = a.size == b.size && a.previous_view_from_world == b.previous_view_from_world &&
+              sameBits(a.near_m, b.near_m) && sameBits(a.far_m, b.far_m);
   for (int i = 0; i < 16; ++i) {
     same = same && sameBits(a.clip_from_view[i / 4][i % 4], b.clip_from_view[i / 4][i % 4]) &&
            sameBits(a.view_from_world[i / 4][i % 4], b.view_from_world[i / 4][i % 4]);
@@ -182,7 +185,7 @@ bool sameBits(const Job& a, const Job& b) {
   return a.id == b.id && a.scene_file == b.scene_file && a.camera_name == b.camera_name &&
          a.mirror_material == b.mirror_material && a.environment == b.environment &&
          sameImages(a.gbuffer, b.gbuffer) && samePresence(a.gbuffer_camera, b.gbuffer_camera, kSame) &&
-         a.size == b.size && a.frame == b.frame &&
+         a.size == b.size && a.frame == b.frame && a.sequence == b.sequence &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&
          a.timing.rounds == b.timing.rounds &&
          std::equal(a.replacements.begin(), a.replacements.end(), b.replacements.begin(),
