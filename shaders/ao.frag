@@ -47,8 +47,7 @@ void main() {
   vec3 p_view = position_px_to_view(vec2(texel) + 0.5, dist, projection);
   vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
   float index = pattern_index(texel);
-  float turn = index / 16.0;
-  float shift = fract(index * (5.0 / 16.0) + 1.0 / 32.0);
+  vec3 noise = fract((vec3(1.0, 7.0, 5.0) * index + 0.5) / 16.0);  // sixteen different ones of each
   AoParameters parameters = AoParameters(ao_radius_m, ao_thickness_m, ao_sample_count, size_px, near_m);
-  ao_noisy = vec2(ambient_visibility(p_view, normal, turn, shift, projection, parameters), dist);
+  ao_noisy = vec2(ambient_visibility(p_view, normal, noise, projection, parameters), dist);
 }

@@ -1,7 +1,7 @@
 // Reads octahedral normals back into the form that the tracers read.
 //
 // In: normal_octahedral; normal_view for its alpha alone (the clearance, which a packed G-buffer keeps elsewhere).
-// Out: normal_unpacked, xyz unit, a clearance.
+// Out: normal_unpacked, xyz unit, a clearance; xyz 0 for background.
 #version 450
 #include "normal_encoding.glsl"
 
@@ -12,6 +12,7 @@ layout(location = 0) out vec4 normal_unpacked;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec3 normal = normal_from_octahedral(texelFetch(normal_octahedral, texel, 0).xy);
+  ivec2 stored = texelFetch(normal_octahedral, texel, 0).xy;
+  vec3 normal = stored.x == SNORM16_NONE ? vec3(0.0) : normal_from_octahedral(stored);
   normal_unpacked = vec4(normal, texelFetch(normal_view, texel, 0).a);
 }

@@ -1,7 +1,7 @@
 // Reads normals stored as xy and sign back into the form that the tracers read.
 //
 // In: normal_xy_sign; normal_view for its alpha alone (the clearance, which a packed G-buffer keeps elsewhere).
-// Out: normal_unpacked, xyz unit, a clearance.
+// Out: normal_unpacked, xyz unit, a clearance; xyz 0 for background.
 #version 450
 #include "normal_encoding.glsl"
 
@@ -13,6 +13,7 @@ layout(location = 0) out vec4 normal_unpacked;
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   uvec4 stored = texelFetch(normal_xy_sign, texel, 0);
-  vec3 normal = normal_from_xy_sign(ivec2(stored.xy) - ivec2(SNORM16_MAX), stored.a > 0u);
+  ivec2 code = ivec2(stored.xy) + SNORM16_NONE;
+  vec3 normal = code.x == SNORM16_NONE ? vec3(0.0) : normal_from_xy_sign(code, stored.a > 0u);
   normal_unpacked = vec4(normal, texelFetch(normal_view, texel, 0).a);
 }

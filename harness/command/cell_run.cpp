@@ -67,21 +67,25 @@ void addTruths(CellRun& cell) {
   }
   for (std::size_t i = 0; i < cell.result->traces.size(); ++i) {
     const TraceParameters& parameters = cell.result->traces[i].parameters;
-    // A technique may have given its tracer normals and a material of its own.
+    // A technique may have given its tracer depths, normals and a material of its own.
     const std::map<std::string, Image>& own = cell.result->traces[i].images;
-    const auto own_normal = own.find("normal_view");
-    const Image* const normals = own_normal != own.end() ? &own_normal->second : &normal_view->second;
+    const auto of_trace = [&own](const auto& of_frame) {
+      const auto found = own.find(of_frame->first);
+      return found != own.end() ? &found->second : &of_frame->second;
+    };
+    const Image* const depths = of_trace(dist_view);
+    const Image* const normals = of_trace(normal_view);
     const Image* mask = &cell.mask;
     if (own.contains("material")) {
       mask = &cell.own_masks.emplace_back(maskOf(own));
     }
     auto truth = std::ranges::find_if(cell.truths, [&](const CellRun::Truth& known) {
-      return known.input.normal_view == normals && known.input.mask == mask &&
-             sameForOracle(known.input.parameters, parameters);
+      return known.input.dist_view == depths && known.input.normal_view == normals &&
+             known.input.mask == mask && sameForOracle(known.input.parameters, parameters);
     });
     if (truth == cell.truths.end()) {
       const OracleInput input{.camera = &cell.result->camera,
-                              .dist_view = &dist_view->second,
+                              .dist_view = depths,
                               .normal_view = normals,
                               .mask = mask,
                               .parameters = parameters};

@@ -1,5 +1,7 @@
 #include "frame/gbuffer_source.h"
 
+#include <algorithm>
+
 #include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
 
@@ -13,6 +15,22 @@ std::vector<Format> gbufferFormats() {
     formats.push_back(row.format);
   }
   return formats;
+}
+
+Expected<void> uploadDepthWindow(Device& device, const Image& dist_view, const Camera& camera,
+                                 FrameImages& images) {
+  const auto image = images.get("depth_window");
+  if (!image) {
+    return tl::make_unexpected(image.error());
+  }
+  Image depth(dist_view.size, {"Z"});
+  for (int y = 0; y < depth.size.height; ++y) {
+    for (int x = 0; x < depth.size.width; ++x) {
+      const double stored = depthWindowFromDistView(camera, dist_view.at(x, y));
+      depth.at(x, y) = static_cast<float>(std::clamp(stored, 0.0, 1.0));
+    }
+  }
+  return uploadImage(device, **image, depth, {});
 }
 
 }  // namespace
@@ -51,7 +69,7 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
 }
 
 Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,
-                             FrameImages& images) {
+                             const Camera& camera, FrameImages& images) {
   for (const FrameImageRow& row : gbufferImages()) {
     const auto image = images.get(row.name);
     if (!image) {
@@ -64,7 +82,7 @@ Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>&
       return done;
     }
   }
-  return {};
+  return uploadDepthWindow(device, gbuffer.at("dist_view"), camera, images);
 }
 
 void setCameraUniforms(UniformValues& values, const Camera& camera) {

@@ -22,9 +22,10 @@ namespace ssrkit {
                                              const SceneResources& resources, FrameImages& images,
                                              const UniformValues& values);
 
-// Uploads images made by others; what is missing gets its default, depth_window is not made.
+// Uploads images made by others; what is missing gets its default, and depth_window what the camera's
+// rasteriser would have stored for dist_view (beyond its far plane: background).
 [[nodiscard]] Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,
-                                           FrameImages& images);
+                                           const Camera& camera, FrameImages& images);
 
 // The uniforms that depend on the camera alone.
 void setCameraUniforms(UniformValues& values, const Camera& camera);

@@ -24,7 +24,7 @@ Expected<std::vector<std::string>> uploadGiven(Device& device, const Job& job, F
   setLightUniforms(values, sceneOfGiven(), camera.view_from_world);
   // Nothing casts a shadow: there is one empty cascade.
   SSRKIT_CHECK_EQ(setShadowUniforms(values, sceneOfGiven(), camera), 1);
-  if (const auto uploaded = uploadGbuffer(device, job.gbuffer, images); !uploaded) {
+  if (const auto uploaded = uploadGbuffer(device, job.gbuffer, camera, images); !uploaded) {
     return tl::make_unexpected(uploaded.error());
   }
   std::vector<std::string> given;

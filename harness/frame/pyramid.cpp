@@ -75,7 +75,8 @@ const PassRow& pyramidReducePass() {
 }
 
 Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs, PyramidLayout layout,
-                                int max_mip, FrameImages& images, UniformValues& values) {
+                                int max_mip, const std::string& source, FrameImages& images,
+                                UniformValues& values) {
   const Size padded = paddedSize(images.size(), max_mip);
   const bool is_atlas = layout == PyramidLayout::kAtlas;
   const Size base_size = is_atlas ? Size{padded.width, 2 * padded.height} : padded;
@@ -98,7 +99,7 @@ Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs,
                             {.row = &pyramidBasePass(),
                              .targets = {{*base, 0, std::nullopt}},
                              .viewport = {0, 0, padded.width, padded.height},
-                             .aliases = {}},
+                             .aliases = {{"dist_view", images.sampled(source)}}},
                             images, values);
   if (!sum || max_mip == 0) {
     values.set("atlas_rows", 2.0 * padded.height);

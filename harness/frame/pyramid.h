@@ -27,10 +27,10 @@ struct PyramidPrograms {
 [[nodiscard]] const PassRow& pyramidBasePass();
 [[nodiscard]] const PassRow& pyramidReducePass();
 
-// Builds levels 0..max_mip from the image "dist_view" and sets the uniforms that trace shaders read the atlas
-// by. The time is the sum of its passes and copies.
+// Builds levels 0..max_mip from the image `source` ("dist_view", or what a technique has in its place) and
+// sets the uniforms that trace shaders read the atlas by. The time is the sum of its passes and copies.
 [[nodiscard]] Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs,
-                                              PyramidLayout layout, int max_mip, FrameImages& images,
-                                              UniformValues& values);
+                                              PyramidLayout layout, int max_mip, const std::string& source,
+                                              FrameImages& images, UniformValues& values);
 
 }  // namespace ssrkit

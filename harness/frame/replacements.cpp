@@ -35,6 +35,7 @@ std::vector<std::string> replaceableNames() {
     add(kind.passes);
   }
   for (const Technique& technique : techniques()) {
+    add(technique.before_pyramid);
     add(technique.before_trace);
     add(technique.after_sample);
     add(technique.after_trace);

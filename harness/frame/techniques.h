@@ -14,9 +14,10 @@ namespace ssrkit {
 
 struct Technique {
   std::string name;
-  std::string about;                         // one line for people
-  std::string frame;                         // the kind of frame whose images it reads; empty: any
-  std::vector<FramePass> before_trace = {};  // before each sample's trace
+  std::string about;                           // one line for people
+  std::string frame;                           // the kind of frame whose images it reads; empty: any
+  std::vector<FramePass> before_pyramid = {};  // once, before the pyramid is built
+  std::vector<FramePass> before_trace = {};    // before each sample's trace
   std::map<std::string, std::string> trace_inputs = {};  // the tracer's samplers to images of its own
   // The trace is repeated this often; `sample_index` counts up to `sample_count` in the uniforms.
   int sample_count = 1;

@@ -72,9 +72,11 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
       *program = *compiled;
     }
   }
-  for (const auto& [passes, prepared] : {std::pair{&tracing.technique_.before_trace, &tracing.before_trace_},
-                                         std::pair{&tracing.technique_.after_sample, &tracing.after_sample_},
-                                         std::pair{&tracing.technique_.after_trace, &tracing.after_trace_}}) {
+  for (const auto& [passes, prepared] :
+       {std::pair{&tracing.technique_.before_pyramid, &tracing.before_pyramid_},
+        std::pair{&tracing.technique_.before_trace, &tracing.before_trace_},
+        std::pair{&tracing.technique_.after_sample, &tracing.after_sample_},
+        std::pair{&tracing.technique_.after_trace, &tracing.after_trace_}}) {
     auto compiled = preparePasses(programs, settings, *passes, progress);
     if (!compiled) {
       return tl::make_unexpected(compiled.error());
@@ -103,6 +105,11 @@ Expected<void> Tracing::drawAll(Device& device, const std::vector<PreparedPass>&
   return {};
 }
 
+std::string Tracing::depthImage() const {
+  const auto own = technique_.trace_inputs.find("dist_view");
+  return own != technique_.trace_inputs.end() ? own->second : "dist_view";
+}
+
 Expected<void> Tracing::drawTrace(Device& device, FrameImages& images, const UniformValues& values,
                                   const Progress& progress) {
   progress("draw " + trace_.pass.name);
@@ -117,9 +124,13 @@ Expected<void> Tracing::drawTrace(Device& device, FrameImages& images, const Uni
 Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues& values,
                              const Progress& progress) {
   setTraceUniforms(values, parameters_);
+  if (const auto done = drawAll(device, before_pyramid_, images, values, progress); !done) {
+    return done;
+  }
   if (layout_ != PyramidLayout::kNone) {
     progress("draw pyramid for " + stage_);
-    const auto time = buildPyramid(device, pyramid_, layout_, parameters_.max_mip, images, values);
+    const auto time =
+        buildPyramid(device, pyramid_, layout_, parameters_.max_mip, depthImage(), images, values);
     if (!time) {
       return tl::make_unexpected(time.error());
     }

@@ -50,10 +50,14 @@ class Tracing {
   [[nodiscard]] Expected<void> drawTrace(Device& device, FrameImages& images, const UniformValues& values,
                                          const Progress& progress);
 
+  // What the pyramid is built from: the image that the tracer reads as dist_view.
+  [[nodiscard]] std::string depthImage() const;
+
   std::string stage_;
   TraceParameters parameters_;
   Technique technique_;  // an empty one when no picture is wanted
   PreparedPass trace_;
+  std::vector<PreparedPass> before_pyramid_;
   std::vector<PreparedPass> before_trace_;
   std::vector<PreparedPass> after_sample_;
   std::vector<PreparedPass> after_trace_;

@@ -14,7 +14,8 @@
 // - A column is as thick as thickness_m, then fades over as much again: what stands far before the pixel casts no halo.
 // - Points outside the image, or before the near plane, are not covered: nothing is known of them.
 // Needs: float load_dist_view(vec2 texel), metres, +inf for background.
-// In: view position and unit normal of a texel's centre; `turn` and `shift`, 0 to 1, different from pixel to pixel.
+// In: view position and unit normal of a texel's centre; `noise`, three numbers of 0 to 1 that differ from pixel to pixel
+//   and turn, spread and stretch the points.
 #ifndef AMBIENT_OCCLUSION_GLSL
 #define AMBIENT_OCCLUSION_GLSL
 
@@ -62,20 +63,19 @@ float ao_covered(vec3 point_view, vec3 p_view, vec3 normal, PixelProjection proj
   return is_inside && rises && depth_inside > 0.0 ? column : 0.0;
 }
 
-float ambient_visibility(vec3 p_view, vec3 normal, float turn, float shift, PixelProjection projection,
-                         AoParameters parameters) {
+float ambient_visibility(vec3 p_view, vec3 normal, vec3 noise, PixelProjection projection, AoParameters parameters) {
   vec3 tangent;
   vec3 bitangent;
   ao_frame(normal, tangent, bitangent);
-  vec2 around = vec2(cos(AO_TAU * turn), sin(AO_TAU * turn));
+  vec2 around = vec2(cos(AO_TAU * noise.x), sin(AO_TAU * noise.x));
   float covered = 0.0;
   float per_sample = 1.0 / float(parameters.sample_count);
   for (int i = 0; i < parameters.sample_count; ++i) {
     // Malley: points even over the unit disc, lifted onto the hemisphere, are distributed as the cosine.
-    float disc_radius_squared = (float(i) + 0.5) * per_sample;
+    float disc_radius_squared = (float(i) + noise.y) * per_sample;
     vec2 disc = sqrt(disc_radius_squared) * around;
     vec3 direction = disc.x * tangent + disc.y * bitangent + sqrt(1.0 - disc_radius_squared) * normal;
-    float distance_m = fract(shift + AO_DISTANCE_STEP * float(i)) * parameters.radius_m;
+    float distance_m = fract(noise.z + AO_DISTANCE_STEP * float(i)) * parameters.radius_m;
     covered += ao_covered(p_view + distance_m * direction, p_view, normal, projection, parameters);
     around = vec2(around.x * AO_GOLDEN.x - around.y * AO_GOLDEN.y, around.x * AO_GOLDEN.y + around.y * AO_GOLDEN.x);
   }

@@ -16,6 +16,7 @@
 #include "ssr_ordered.glsl"
 
 const float SNORM16_MAX = 32767.0;
+const int SNORM16_NONE = -32768;  // the one code that no number has: background's
 
 ivec2 snorm16_from_float(vec2 v) { return ivec2(floor(clamp(v, vec2(-1.0), vec2(1.0)) * SNORM16_MAX + 0.5)); }
 

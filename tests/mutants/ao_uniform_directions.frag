@@ -64,21 +64,20 @@ float ao_covered(vec3 point_view, vec3 p_view, vec3 normal, PixelProjection proj
   return is_inside && rises && depth_inside > 0.0 ? column : 0.0;
 }
 
-float ambient_visibility(vec3 p_view, vec3 normal, float turn, float shift, PixelProjection projection,
-                         AoParameters parameters) {
+float ambient_visibility(vec3 p_view, vec3 normal, vec3 noise, PixelProjection projection, AoParameters parameters) {
   vec3 tangent;
   vec3 bitangent;
   ao_frame(normal, tangent, bitangent);
-  vec2 around = vec2(cos(AO_TAU * turn), sin(AO_TAU * turn));
+  vec2 around = vec2(cos(AO_TAU * noise.x), sin(AO_TAU * noise.x));
   float covered = 0.0;
   float per_sample = 1.0 / float(parameters.sample_count);
   for (int i = 0; i < parameters.sample_count; ++i) {
     // Malley: points even over the unit disc, lifted onto the hemisphere, are distributed as the cosine.
-    float height = (float(i) + 0.5) * per_sample;
+    float height = (float(i) + noise.y) * per_sample;
     float disc_radius_squared = 1.0 - height * height;
     vec2 disc = sqrt(disc_radius_squared) * around;
     vec3 direction = disc.x * tangent + disc.y * bitangent + sqrt(1.0 - disc_radius_squared) * normal;
-    float distance_m = fract(shift + AO_DISTANCE_STEP * float(i)) * parameters.radius_m;
+    float distance_m = fract(noise.z + AO_DISTANCE_STEP * float(i)) * parameters.radius_m;
     covered += ao_covered(p_view + distance_m * direction, p_view, normal, projection, parameters);
     around = vec2(around.x * AO_GOLDEN.x - around.y * AO_GOLDEN.y, around.x * AO_GOLDEN.y + around.y * AO_GOLDEN.x);
   }
@@ -104,8 +103,7 @@ void main() {
   vec3 p_view = position_px_to_view(vec2(texel) + 0.5, dist, projection);
   vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
   float index = pattern_index(texel);
-  float turn = index / 16.0;
-  float shift = fract(index * (5.0 / 16.0) + 1.0 / 32.0);
+  vec3 noise = fract((vec3(1.0, 7.0, 5.0) * index + 0.5) / 16.0);  // sixteen different ones of each
   AoParameters parameters = AoParameters(ao_radius_m, ao_thickness_m, ao_sample_count, size_px, near_m);
-  ao_noisy = vec2(ambient_visibility(p_view, normal, turn, shift, projection, parameters), dist);
+  ao_noisy = vec2(ambient_visibility(p_view, normal, noise, projection, parameters), dist);
 }

@@ -11,7 +11,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr double kSamplingError = 0.02;  // of four columns' mean: 32 points in each of sixteen turns
+constexpr double kSamplingError = 0.025;  // of four columns' mean: 32 points in each of sixteen turns
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Camera camera(Size size) {

@@ -33,6 +33,8 @@ class PassTest : public FrameDeviceTest {
   // The same into several images at once, by the shader's output locations.
   [[nodiscard]] std::vector<Image> drawAll(const std::string& shader, Size size,
                                            const std::vector<Format>& formats);
+  // The same, and keeps what was drawn as the image that later passes' samplers of this name read.
+  void drawGiven(const std::string& shader, Size size, Format format, const std::string& name);
   // Fills the mips of an image whose mip 0 is given: one image a mip, as a pass that fills mips does. The
   // chain is then there under `name` for later passes, sampled linearly.
   std::vector<Image> drawMips(const std::string& shader, const Image& base, Format format,

@@ -64,7 +64,7 @@ class PyramidTest : public FrameDeviceTest {
     ASSERT_TRUE(uploadImage(*device_, **uploaded, dist_view, {}).has_value());
     UniformValues values;
     values.set("size_px", glm::dvec2(size.width, size.height));
-    const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, images, values);
+    const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, "dist_view", images, values);
     ASSERT_TRUE(time.has_value()) << sentence(time.error());
     const Size padded = paddedSize(size, max_mip);
     for (int level = 0; level <= max_mip; ++level) {
@@ -105,7 +105,7 @@ TEST_P(PyramidTest, CoversEveryTexelAtEverySize) {
 TEST_P(PyramidTest, RefusesAnAtlasOverTheLimitWithTheWayOut) {
   FrameImages images(*device_, {64, 9000});
   UniformValues values;
-  const auto time = buildPyramid(*device_, {}, PyramidLayout::kAtlas, 3, images, values);
+  const auto time = buildPyramid(*device_, {}, PyramidLayout::kAtlas, 3, "dist_view", images, values);
   ASSERT_FALSE(time.has_value());
   EXPECT_NE(sentence(time.error()).find("--param form=textbook"), std::string::npos);
 }

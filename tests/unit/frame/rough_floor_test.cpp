@@ -23,7 +23,7 @@ void RoughFloorTest::SetUp() {
 }
 
 void RoughFloorTest::giveFloor(const std::map<std::string, Image>& gbuffer) {
-  ASSERT_TRUE(uploadGbuffer(*device_, gbuffer, *images_).has_value());
+  ASSERT_TRUE(uploadGbuffer(*device_, gbuffer, floorCamera(), *images_).has_value());
   ASSERT_TRUE(uploadImage(*device_, **images_->get("lit"), gbuffer.at("lit"), {0, 0, 0, 1}).has_value());
 }
 
