@@ -24,10 +24,11 @@ namespace ssrkit {
 namespace {
 
 // Raise it when any number that is computed here, or how it is stored, changes.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kCoarsestSide = 16;
 constexpr int kIrradianceSide = 32;
 constexpr int kGradientSide = 256;
+constexpr int kFileSide = 512;  // at least: mip 1 is then for roughness 0.25, near enough to the sharp mip 0
 constexpr int kLargestSide = 1024;
 
 struct Plan {
@@ -138,8 +139,9 @@ Expected<EnvironmentMaps> gradientMaps(const EnvironmentSource& source) {
 
 Expected<EnvironmentMaps> fileMaps(const std::filesystem::path& file) {
   return readEquirect(file).map([](const Image& image) {
-    const auto height = static_cast<unsigned>(image.size.height);
-    const int side = std::clamp(static_cast<int>(std::bit_ceil(height)), kGradientSide, kLargestSide);
+    // Twice the file's height: along the diagonals of the square, where the horizon lies, two texels are one.
+    const auto wanted = 2U * static_cast<unsigned>(image.size.height);
+    const int side = std::clamp(static_cast<int>(std::bit_ceil(wanted)), kFileSide, kLargestSide);
     return computeMaps([&image](glm::vec3 direction) { return sampleEquirect(image, direction); },
                        {.side = side, .samples_a_side = std::max(2, image.size.height / side + 1)});
   });

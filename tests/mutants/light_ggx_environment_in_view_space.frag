@@ -76,10 +76,9 @@ vec3 point_lights(GgxSurface surface, vec2 split, vec3 p_view) {
 
 // Lights, emission and the irradiance: all but the environment's specular reflection.
 vec3 base_radiance(GgxSurface surface, vec2 split, float dist) {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
   vec2 uv = gl_FragCoord.xy * texel_uv;
   EnvironmentLayout maps = EnvironmentLayout(environment_side, environment_mip_count, irradiance_side, split_sum_side);
-  vec3 radiance = texelFetch(emission, texel, 0).rgb;
+  vec3 radiance = textureLod(emission, uv, 0.0).rgb;
   radiance += directional_lights(surface, split, textureLod(shadow, uv, 0.0).r);
   radiance += point_lights(surface, split, vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0) * dist);
   vec3 around = textureLod(irradiance, irradiance_uv(surface.normal * mat3(view_from_world), maps), 0.0).rgb;
@@ -87,13 +86,14 @@ vec3 base_radiance(GgxSurface surface, vec2 split, float dist) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
+  // Nearest samples in the place of texelFetch: the same texels in less time on llvmpipe.
+  vec2 uv = gl_FragCoord.xy * texel_uv;
   EnvironmentLayout maps = EnvironmentLayout(environment_side, environment_mip_count, irradiance_side, split_sum_side);
-  float dist = texelFetch(dist_view, texel, 0).x;
+  float dist = textureLod(dist_view, uv, 0.0).x;
   vec3 to_eye = -ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
-  vec4 metal_rough = texelFetch(material, texel, 0);
-  vec3 normal = unit_normal(texelFetch(normal_view, texel, 0).xyz, to_eye);
-  GgxSurface surface = ggx_surface(texelFetch(albedo, texel, 0).rgb, metal_rough.xy, normal, to_eye);
+  vec4 metal_rough = textureLod(material, uv, 0.0);
+  vec3 normal = unit_normal(textureLod(normal_view, uv, 0.0).xyz, to_eye);
+  GgxSurface surface = ggx_surface(textureLod(albedo, uv, 0.0).rgb, metal_rough.xy, normal, to_eye);
   // One lookup for what is seen and for what is mirrored: both sides of a branch cost, on many devices.
   bool is_background = isinf(dist);
   vec3 direction = is_background ? -to_eye : mirrored(surface);

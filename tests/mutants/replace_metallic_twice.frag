@@ -12,6 +12,7 @@ const float LARGEST_HALF = 65504.0;
 layout(std140, binding = 0) uniform CompositeBlock {
   vec2 px_offset;
   vec2 view_per_px;
+  vec2 texel_uv;
   mat4 view_from_world;
   float environment_side;
   float environment_mip_count;
@@ -33,20 +34,21 @@ layout(location = 0) out vec4 composite;
 vec3 load_environment(vec2 uv, float mip) { return textureLod(environment, uv, mip).rgb; }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec4 found = texelFetch(reflection, texel, 0);
-  vec4 metal_rough = texelFetch(material, texel, 0);
+  // Nearest samples in the place of texelFetch: the same texels in less time on llvmpipe.
+  vec2 uv = gl_FragCoord.xy * texel_uv;
+  vec4 found = textureLod(reflection, uv, 0.0);
+  vec4 metal_rough = textureLod(material, uv, 0.0);
   if (found.a <= 0.0 || metal_rough.b <= 0.0) {
-    composite = vec4(texelFetch(lit, texel, 0).rgb, 1.0);
+    composite = vec4(textureLod(lit, uv, 0.0).rgb, 1.0);
     return;
   }
   EnvironmentLayout maps = EnvironmentLayout(environment_side, environment_mip_count, irradiance_side, split_sum_side);
   vec3 to_eye = -ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
-  vec3 normal = unit_normal(texelFetch(normal_view, texel, 0).xyz, to_eye);
-  GgxSurface surface = ggx_surface(texelFetch(albedo, texel, 0).rgb, metal_rough.xy, normal, to_eye);
+  vec3 normal = unit_normal(textureLod(normal_view, uv, 0.0).xyz, to_eye);
+  GgxSurface surface = ggx_surface(textureLod(albedo, uv, 0.0).rgb, metal_rough.xy, normal, to_eye);
   vec2 split = textureLod(split_sum, split_sum_uv(surface.cos_view, metal_rough.y, maps), 0.0).rg;
   vec3 reflected = specular_albedo(surface.f0, split);
   vec3 around = environment_radiance(mirrored(surface) * mat3(view_from_world), metal_rough.y, maps);
   vec3 arriving = mix(around, found.rgb, min(found.a, 1.0));
-  composite = vec4(min(texelFetch(lit_base, texel, 0).rgb + metal_rough.r * reflected * arriving, LARGEST_HALF), 1.0);
+  composite = vec4(min(textureLod(lit_base, uv, 0.0).rgb + metal_rough.r * reflected * arriving, LARGEST_HALF), 1.0);
 }
