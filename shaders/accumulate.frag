@@ -1,14 +1,14 @@
 // Puts the reflections of several frames together.
 //
-// A reflection does not move with the mirror that shows it, but with the image behind the mirror: the hit point, mirrored
-// at the receiver's plane. Where that image was in the previous frame follows from where the hit point and the mirror
-// were; both are found by their own motions. (The same idea as reprojecting by the hit's distance: Stachowiak,
-// "Stochastic Screen-Space Reflections", SIGGRAPH 2015 course; here with the plane itself, so that it is exact for plane
-// mirrors.) The history is clamped to the 3 x 3 neighbourhood of this frame's reflection, which ends ghosts within a
-// frame: Karis, "High Quality Temporal Supersampling", SIGGRAPH 2014 course.
+// A reflection does not move with the mirror that shows it, but with the image behind the mirror: the hit point,
+// mirrored at the receiver's plane. Where that image was in the previous frame follows from where the hit point and the
+// mirror were; both are found by their own motions. (The same idea as reprojecting by the hit's distance: Stachowiak,
+// "Stochastic Screen-Space Reflections", SIGGRAPH 2015 course; here with the plane itself, so that it is exact for
+// plane mirrors.) The history is clamped to the 3 x 3 neighbourhood of this frame's reflection, which ends ghosts
+// within a frame: Karis, "High Quality Temporal Supersampling", SIGGRAPH 2014 course.
 // In:  reflection, hit_texel, hit_point, motion, dist_view, normal_view, material, previous_accumulated,
 //      previous_history_length, previous_dist_view.
-// Out: accumulated (like the reflection; this frame's reflection where there is no history), history_length in frames, 0 where
+// Out: accumulated (like the reflection; this frame's where there is no history), history_length in frames, 0 where
 //      nothing is reflected.
 #version 450
 #include "ssr_motion.glsl"
@@ -67,8 +67,8 @@ vec2 image_motion_px(ivec2 texel, vec3 p_mirror, vec3 p_mirror_previous, vec3 no
   }
   vec3 p_hit_previous = moved_previous_view(p_hit, own_px, frame);
   vec3 normal_previous = mat3(frame.previous_view_from_view) * normal;
-  return motion_px(mirror_image(p_hit, p_mirror, normal), mirror_image(p_hit_previous, p_mirror_previous, normal_previous),
-                   frame.px_scale, frame.near_m);
+  return motion_px(mirror_image(p_hit, p_mirror, normal),
+                   mirror_image(p_hit_previous, p_mirror_previous, normal_previous), frame.px_scale, frame.near_m);
 }
 
 // Least and greatest of the neighbourhood in every channel.

@@ -26,6 +26,7 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec3 from_eye = ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
   vec2 mask = texelFetch(blue_noise, texel & (BLUE_NOISE_SIDE - 1), 0).xy;
-  vec2 point = pixel_point(texel, sample_index, sample_count, point_set, frame_turn(mask, frame_index));
+  vec2 turn = frame_turn(mask, frame_index);
+  vec2 point = pixel_point(texel, sample_index, sample_count, point_set, turn);
   microfacet_normal = microfacet_of(texelFetch(normal_view, texel, 0), from_eye, texelFetch(material, texel, 0).g, point);
 }

@@ -46,8 +46,8 @@ float radical_inverse_2(uint index) {
 // Point `index` of `count`. The half keeps point 0 off the square's edge.
 vec2 hammersley(int index, int count) { return vec2((float(index) + 0.5) / float(count), radical_inverse_2(uint(index))); }
 
-// `by` moved on for each frame by the additive sequence of the plastic number, which covers the square evenly (Roberts,
-// "The Unreasonable Effectiveness of Quasirandom Sequences", 2018). Frame 0 changes no bit.
+// `by` moved on for each frame by the additive sequence of the plastic number, which covers the square evenly
+// (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018). Frame 0 changes no bit.
 vec2 frame_turn(vec2 by, int frame_index) { return by + float(frame_index) * vec2(0.7548776662, 0.5698402910); }
 
 vec2 rotated(vec2 point, vec2 by) {

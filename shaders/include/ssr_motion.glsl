@@ -4,8 +4,8 @@
 // In: view positions, each in its own frame's camera space. Out: pixels, or positions in the previous view space.
 // A point that was not before the previous camera's near plane has no place on that image: its motion is +inf, so that
 //   p_px - motion lies outside of every image and no test but the one against the image's edges is needed.
-// Static is exact: equal positions give a motion of 0, and a previous_view_from_view that is the identity changes no bit.
-//   `precise` keeps it so: else a compiler may simplify (a + b) - a on the way to one of the two positions only.
+// Static is exact: equal positions give a motion of 0, and a previous_view_from_view that is the identity changes no
+//   bit. `precise` keeps it so: else a compiler may simplify (a + b) - a on the way to one of the two positions only.
 #ifndef SSR_MOTION_GLSL
 #define SSR_MOTION_GLSL
 

@@ -58,8 +58,8 @@ vec2 image_motion_px(ivec2 texel, vec3 p_mirror, vec3 p_mirror_previous, vec3 no
   }
   vec3 p_hit_previous = moved_previous_view(p_hit, own_px, frame);
   vec3 normal_previous = mat3(frame.previous_view_from_view) * normal;
-  return motion_px(mirror_image(p_hit, p_mirror, normal), mirror_image(p_hit_previous, p_mirror_previous, normal_previous),
-                   frame.px_scale, frame.near_m);
+  return motion_px(mirror_image(p_hit, p_mirror, normal),
+                   mirror_image(p_hit_previous, p_mirror_previous, normal_previous), frame.px_scale, frame.near_m);
 }
 
 // Least and greatest of the neighbourhood in every channel.

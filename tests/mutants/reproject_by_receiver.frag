@@ -1,4 +1,5 @@
-// Mutant of resolve_history.frag: reprojects the hit by the motion of the mirror's surface: reflections slide over their mirrors.
+// Mutant of resolve_history.frag: reprojects the hit by the motion of the mirror's surface: reflections slide over
+// their mirrors.
 //
 // In and out: as resolve_history.frag.
 #version 450
