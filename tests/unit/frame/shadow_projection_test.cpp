@@ -77,10 +77,11 @@ TEST(ShadowProjection, CoversEveryVisiblePointOfTheScene) {
 TEST(ShadowProjection, ResolvesTheNearPartOfALargeSceneFinely) {
   const glm::dvec3 way = glm::normalize(glm::dvec3(0.3, -0.8, -0.5));
   const ShadowProjection lake = fitShadow(way, kLake, cameraAt({0, 1.1, 0}, 0.0, 5000.0));
+  ASSERT_EQ(lake.cascades.size(), 4U);
   EXPECT_LT(lake.cascades[0].texel_m, 0.12);
   EXPECT_LT(lake.cascades[3].texel_m, 8.0);
   const ShadowProjection room = fitShadow(way, kRoom, cameraAt({0, 2.4, 5.6}, 0.0, 60.0));
-  EXPECT_LT(room.cascades[3].texel_m, 0.031);
+  EXPECT_LT(room.cascades.back().texel_m, 0.031);  // it has two: the first ends within eight metres
 }
 
 TEST(ShadowProjection, KeepsItsTexelsWhereTheyAreWhenTheCameraMoves) {
