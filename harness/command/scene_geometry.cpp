@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/load.h"
+#include "scene/motion.h"
 
 namespace ssrkit {
 
@@ -11,7 +12,8 @@ namespace {
 
 // Oracle B looks at these alone.
 bool sameForGeometry(const OracleInput& a, const OracleInput& b) {
-  return a.normal_view == b.normal_view && a.parameters.max_distance_m == b.parameters.max_distance_m &&
+  return a.dist_view == b.dist_view && a.normal_view == b.normal_view && a.mask == b.mask &&
+         a.parameters.max_distance_m == b.parameters.max_distance_m &&
          a.parameters.origin_bias == b.parameters.origin_bias;
 }
 
@@ -31,13 +33,25 @@ Expected<const GeometryResult*> geometryOf(CellRun& cell, const OracleInput& inp
 
 }  // namespace
 
+Expected<void> SceneGeometry::load() {
+  auto loaded = loadScene(scene_file_);
+  if (!loaded) {
+    return tl::make_unexpected(loaded.error());
+  }
+  if (loaded->motion != nullptr) {
+    if (auto posed = poseScene(*loaded, time_s_, time_s_); !posed) {
+      return posed;
+    }
+  }
+  scene_ = std::move(*loaded);
+  return {};
+}
+
 Expected<const TrueSurfaces*> SceneGeometry::surfacesFor(const glm::dmat4& view_from_world) {
   if (!scene_) {
-    auto loaded = loadScene(scene_file_);
-    if (!loaded) {
+    if (const auto loaded = load(); !loaded) {
       return tl::make_unexpected(loaded.error());
     }
-    scene_ = std::move(*loaded);
   }
   if (!surfaces_ || surfaces_->viewFromWorld() != view_from_world) {
     auto built = TrueSurfaces::build(*scene_, view_from_world);

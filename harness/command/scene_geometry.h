@@ -11,15 +11,19 @@
 
 namespace ssrkit {
 
-// One scene's true surfaces, built at the first use and anew for another view.
+// One scene's true surfaces at one time, built at the first use and anew for another view.
 class SceneGeometry {
  public:
-  explicit SceneGeometry(std::filesystem::path scene_file) : scene_file_(std::move(scene_file)) {}
+  SceneGeometry(std::filesystem::path scene_file, double time_s)
+      : scene_file_(std::move(scene_file)), time_s_(time_s) {}
 
   [[nodiscard]] Expected<const TrueSurfaces*> surfacesFor(const glm::dmat4& view_from_world);
 
  private:
+  [[nodiscard]] Expected<void> load();
+
   std::filesystem::path scene_file_;
+  double time_s_ = 0.0;
   std::optional<Scene> scene_;
   std::optional<TrueSurfaces> surfaces_;
 };

@@ -168,7 +168,8 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
   const bool wants_oracle = options_.always_oracle || needsOracle(test);
   const bool wants_depth = needsGeometry(test, false);
   const bool wants_geometry = needsGeometry(test, true) || wants_depth;
-  SceneGeometry geometry(source.file);
+  const Sequence sequence = sequenceOf(test);
+  SceneGeometry geometry(source.file, timeOf(sequence, sequence.frame_count - 1));
   for (CellRun& cell : run.cells) {
     if (cell.result) {
       cell.truth_of_trace.assign(cell.result->traces.size(), nullptr);
