@@ -36,6 +36,7 @@ struct Sums {
   float luminance;   // weighed
   float luminance_2;
   float share;
+  float share_2;
   float count;
 };
 
@@ -59,6 +60,7 @@ void add_ray(Receiver receiver, vec2 uv, inout Sums sums) {
   sums.luminance += weight * luminance;
   sums.luminance_2 += weight * luminance * luminance;
   sums.share += density.y;
+  sums.share_2 += density.y * density.y;
   sums.count += 1.0;
 }
 
@@ -81,7 +83,7 @@ void main() {
   mat3 frame = frame_about(ordered_normalize(texelFetch(normal_view, texel, 0).xyz));
   Receiver receiver = Receiver(texelFetch(dist_view, texel, 0).x * from_pinhole, frame,
                                to_frame(frame, -ordered_normalize(from_pinhole)), ggx_alpha(surface.g), f0);
-  Sums sums = Sums(vec4(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  Sums sums = Sums(vec4(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   for (int i = 0; i < 9; ++i) {
     vec2 neighbour_px = gl_FragCoord.xy + vec2(i % 3 - 1, i / 3 - 1);
     if (all(greaterThan(neighbour_px, vec2(0.0))) && all(lessThan(neighbour_px, size_px))) {
@@ -93,6 +95,9 @@ void main() {
     float mean = sums.luminance / sums.weight;
     float spread = max(sums.luminance_2 / sums.weight - mean * mean, 0.0);
     reflection = vec4(share * sums.radiance.rgb, sums.radiance.a) / sums.weight;
-    reflection_variance = share * share * spread * sums.weight_2 / (sums.weight * sums.weight);
+    // Of a product of two means: of the rays' luminance, and of the share that gets out.
+    float share_spread = max(sums.share_2 / sums.count - share * share, 0.0);
+    reflection_variance = share * share * spread * sums.weight_2 / (sums.weight * sums.weight) +
+                          mean * mean * share_spread / sums.count;
   }
 }
