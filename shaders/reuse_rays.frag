@@ -3,6 +3,8 @@
 // In:  ray_end, ray_radiance, ray_density (ray_ends.frag); dist_view, normal_view, albedo, material.
 // Out: reflection, rgb radiance towards the eye, a share of the weight on rays that hit; reflection_variance, x variance
 //      of the luminance of rgb as the spread of the rays tells it, 0 for mirrors.
+// With hits_only rgb is the radiance hit that arrives, multiplied by a: neither Fresnel nor the sky nor the lobe's size is
+// in it, for a composite that has these itself.
 // The ratio of sums has the lobe's shape; its size, the share of a white environment that the lobe reflects, is the mean
 // of the rays' G2 / G1, which hardly differs among neighbours.
 #version 450
@@ -13,6 +15,7 @@ layout(std140, binding = 0) uniform ReuseBlock {
   vec2 texel_uv;
   vec2 px_offset;
   vec2 view_per_px;
+  int hits_only;
 };
 
 layout(binding = 1) uniform sampler2D ray_end;
@@ -58,15 +61,17 @@ void add_ray(Receiver receiver, vec2 uv, inout Sums sums) {
   vec3 to_light = to_frame(receiver.frame, direction);
   float weight = lobe_times_cosine(receiver.to_eye, to_light, receiver.alpha) / density.x;
   float cosine = sqrt(clamp(0.5 + 0.5 * ordered_dot(receiver.to_eye, to_light), 0.0, 1.0));
-  vec3 radiance = fresnel_schlick(receiver.f0, cosine) * textureLod(ray_radiance, uv, 0.0).rgb;
+  vec3 reflectance = hits_only == 1 ? vec3(end.a) : fresnel_schlick(receiver.f0, cosine);
+  vec3 radiance = reflectance * textureLod(ray_radiance, uv, 0.0).rgb;
   float luminance = ordered_dot(radiance, LUMINANCE);
   sums.radiance += weight * vec4(radiance, end.a);
   sums.weight += weight;
   sums.weight_2 += weight * weight;
   sums.luminance += weight * luminance;
   sums.luminance_2 += weight * luminance * luminance;
-  sums.share += density.y;
-  sums.share_2 += density.y * density.y;
+  float share = hits_only == 1 ? 1.0 : density.y;
+  sums.share += share;
+  sums.share_2 += share * share;
   sums.count += 1.0;
 }
 
@@ -82,7 +87,8 @@ void main() {
   vec3 f0 = fresnel_f0(texelFetch(albedo, texel, 0).rgb, surface.r);
   if (texelFetch(ray_density, texel, 0).x == 0.0) {
     vec4 own = texelFetch(ray_radiance, texel, 0);
-    reflection = vec4(fresnel_schlick(f0, own.a) * own.rgb, own_end.a);
+    vec3 reflectance = hits_only == 1 ? vec3(own_end.a) : fresnel_schlick(f0, own.a);
+    reflection = vec4(reflectance * own.rgb, own_end.a);
     return;
   }
   vec3 from_pinhole = vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0);

@@ -87,6 +87,8 @@ const std::vector<FrameImageRow>& table() {
       {.name = "reflection_variance", .format = kR32f},
       {.name = "reflected_sum", .format = kRgba32f},
       {.name = "reflected_sum_next", .format = kRgba32f},
+      {.name = "weight_sum", .format = kR32f},
+      {.name = "weight_sum_next", .format = kR32f},
       {.name = "reflection", .format = kRgba16f, .channels = rgba},
       {.name = "reflection_weighed", .format = kRgba16f, .channels = rgba},
       {.name = "visibility", .format = kR32f, .channels = {"Y"}},

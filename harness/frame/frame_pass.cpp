@@ -36,15 +36,17 @@ Expected<void> makeBlueNoise(Device& device, const PreparedPass& pass, FrameImag
   return is_read && images.find("blue_noise") == nullptr ? uploadBlueNoise(device, images) : Expected<void>{};
 }
 
-// Before its first draw the image that it swaps with is there, with whatever in it: the shader knows that it
-// is first.
-Expected<void> makePartner(const FramePass& pass, FrameImages& images) {
-  if (pass.swaps_with.empty()) {
-    return {};
+// Before its first draw the images that it swaps with are there, with whatever in it: the shader knows that
+// it is first.
+Expected<void> makePartners(const FramePass& pass, FrameImages& images) {
+  SSRKIT_CHECK_LE(pass.swaps_with.size(), pass.outputs.size());
+  for (std::size_t i = 0; i < pass.swaps_with.size(); ++i) {
+    SSRKIT_CHECK(frameImageRow(pass.swaps_with[i]).format == frameImageRow(pass.outputs[i]).format);
+    if (const auto image = images.get(pass.swaps_with[i]); !image) {
+      return tl::make_unexpected(image.error());
+    }
   }
-  SSRKIT_CHECK(frameImageRow(pass.swaps_with).format == frameImageRow(pass.outputs.front()).format);
-  const auto image = images.get(pass.swaps_with);
-  return image ? Expected<void>{} : tl::make_unexpected(image.error());
+  return {};
 }
 
 UniformValues valuesOf(const FramePass& pass, const UniformValues& shared) {
@@ -138,7 +140,7 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
     }
     targets.push_back({*image, 0, std::nullopt});
   }
-  auto made = makePartner(pass.pass, images);
+  auto made = makePartners(pass.pass, images);
   made = made ? makeBlueNoise(device, pass, images) : made;
   if (!made) {
     return tl::make_unexpected(made.error());
@@ -154,8 +156,8 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
                               .viewport = {0, 0, size.width, size.height},
                               .aliases = *aliases},
                              images, own_values);
-  if (time && !pass.pass.swaps_with.empty()) {
-    images.swap(pass.pass.outputs.front(), pass.pass.swaps_with);
+  for (std::size_t i = 0; time && i < pass.pass.swaps_with.size(); ++i) {
+    images.swap(pass.pass.outputs[i], pass.pass.swaps_with[i]);
   }
   return time;
 }

@@ -24,9 +24,9 @@ struct FramePass {
   std::string shader = {};                                // entry file; empty: NAME.frag
   // Drawn once for each mip of its only output but the first, with the mip before as the sampler `finer`.
   bool fills_mips = false;
-  // Afterwards its first output and this image, both of one kind, change places: so a sum over samples is
-  // read under one name and written under the other, draw after draw.
-  std::string swaps_with = {};
+  // Afterwards its outputs and these images, in order and each pair of one kind, change places: so a sum over
+  // samples is read under one name and written under the other, draw after draw.
+  std::vector<std::string> swaps_with = {};
 };
 
 // A pass with its program.

@@ -23,7 +23,7 @@ Technique ggx(const std::string& name, int sample_count, int point_set) {
           .sample_count = sample_count,
           .after_sample = {{.name = "accumulate_microfacet",
                             .outputs = {"reflected_sum_next"},
-                            .swaps_with = "reflected_sum"}},
+                            .swaps_with = {"reflected_sum"}}},
           .after_trace = {{.name = "average_samples", .outputs = {"reflection"}},
                           {.name = "composite_reflected", .outputs = {"composite"}}}};
 }
@@ -40,7 +40,7 @@ Technique jittered(const std::string& name, int sample_count) {
           .sample_count = sample_count,
           .after_sample = {{.name = "accumulate_hits",
                             .outputs = {"reflected_sum_next"},
-                            .swaps_with = "reflected_sum"}},
+                            .swaps_with = {"reflected_sum"}}},
           .after_trace = {{.name = "average_hits", .outputs = {"reflection"}},
                           {.name = "composite", .outputs = {"composite"}}}};
 }
@@ -56,6 +56,20 @@ FramePass filter(const std::string& name, int spacing_px, const std::string& fro
           .shader = "filter_reflection.frag"};
 }
 
+// What rays met, without Fresnel and without the sky, for the frame's metallic-roughness sum: there the
+// environment fills what the hits leave, and the split sum weighs both.
+Technique replacingGgx(int sample_count) {
+  Technique technique = ggx(fmt::format("replace_ggx_{}", sample_count), sample_count, kBlueHammersley);
+  technique.about += ", in the place of the environment's";
+  technique.frame = "full";
+  technique.after_sample = {{.name = "accumulate_arriving",
+                             .outputs = {"reflected_sum_next", "weight_sum_next"},
+                             .swaps_with = {"reflected_sum", "weight_sum"}}};
+  technique.after_trace = {{.name = "average_arriving", .outputs = {"reflection"}},
+                           {.name = "composite_replace", .outputs = {"composite"}}};
+  return technique;
+}
+
 // Stochastic SSR: one ray a pixel, what it found shared among neighbours, what noise is left filtered.
 Technique stochastic() {
   return {.name = "stochastic",
@@ -65,11 +79,25 @@ Technique stochastic() {
                             .constants = {{"max_traced_roughness", kMaxTracedRoughness}}}},
           .trace_inputs = {{"normal_view", "microfacet_normal"}, {"material", "ray_material"}},
           .after_trace = {{.name = "ray_ends", .outputs = {"ray_end", "ray_radiance", "ray_density"}},
-                          {.name = "reuse_rays", .outputs = {"reflection_reused", "variance_reused"}},
+                          {.name = "reuse_rays",
+                           .outputs = {"reflection_reused", "variance_reused"},
+                           .constants = {{"hits_only", 0}}},
                           filter("filter_1", 1, "_reused", "_near"),
                           filter("filter_2", 2, "_near", "_reused"),
                           filter("filter_4", 4, "_reused", ""),
                           {.name = "composite_reflected", .outputs = {"composite"}}}};
+}
+
+Technique replacingStochastic() {
+  Technique technique = stochastic();
+  technique.name = "replace_stochastic";
+  technique.about += ", in the place of the environment's";
+  technique.frame = "full";
+  technique.after_trace[1].constants = {{"hits_only", 1}};
+  technique.after_trace.back() = {.name = "unpremultiply", .outputs = {"reflection_near"}};
+  technique.after_trace.push_back(
+      {.name = "composite_replace", .outputs = {"composite"}, .inputs = {{"reflection", "reflection_near"}}});
+  return technique;
 }
 
 }  // namespace
@@ -82,7 +110,9 @@ std::vector<Technique> roughTechniques() {
           ggx("ggx_16", 16, kBlueHammersley),
           ggx("ggx_128", 128, kBlueHammersley),
           ggx("ggx_16_white", 16, kWhitePoints),
-          stochastic()};
+          stochastic(),
+          replacingGgx(16),
+          replacingStochastic()};
 }
 
 }  // namespace ssrkit

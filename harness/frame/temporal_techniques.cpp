@@ -52,7 +52,7 @@ Technique temporalGgx() {
           .trace_inputs = {{"normal_view", "microfacet_normal"}},
           .after_sample = {{.name = "accumulate_microfacet",
                             .outputs = {"reflected_sum_next"},
-                            .swaps_with = "reflected_sum"}},
+                            .swaps_with = {"reflected_sum"}}},
           .after_trace = {{.name = "average_samples", .outputs = {"reflection"}},
                           accumulate(0, 15.0),
                           compositeOf("composite_reflected")},

@@ -25,9 +25,10 @@ double energyAfterBlur(const std::vector<float>& mask, double spread) {
       double blurred = 0.0;
       for (int dy = -reach; dy <= reach; ++dy) {
         for (int dx = -reach; dx <= reach; ++dx) {
-          const auto texel =
-              static_cast<std::size_t>((y + dy + kSide) % kSide * kSide + (x + dx + kSide) % kSide);
-          blurred += std::exp(-0.5 * (dx * dx + dy * dy) / (spread * spread)) * (mask[texel] - 0.5);
+          const auto row = static_cast<std::size_t>((y + dy + kSide) % kSide);
+          const auto column = static_cast<std::size_t>((x + dx + kSide) % kSide);
+          blurred +=
+              std::exp(-0.5 * (dx * dx + dy * dy) / (spread * spread)) * (mask[row * kSide + column] - 0.5);
         }
       }
       blurred /= sum_of_weights * sum_of_weights;

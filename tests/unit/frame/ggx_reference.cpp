@@ -49,11 +49,14 @@ FacetPlace placeOf(const glm::dvec3& microfacet, double alpha) {
 std::vector<double> visibleCellProbabilities(const GgxView& view, int rise_count, int turn_count) {
   std::vector<double> probabilities;
   for (int cell = 0; cell < rise_count * turn_count; ++cell) {
+    const int first_rise = cell / turn_count * kCellSide;
+    const int first_turn = cell % turn_count * kCellSide;
     double sum = 0.0;
     for (int point = 0; point < kCellSide * kCellSide; ++point) {
-      const double rise = (cell / turn_count + (point / kCellSide + 0.5) / kCellSide) / rise_count;
-      const double turn = (cell % turn_count + (point % kCellSide + 0.5) / kCellSide) / turn_count;
-      sum += visibleDensity(view, rise, turn);
+      const int rise = first_rise + point / kCellSide;
+      const int turn = first_turn + point % kCellSide;
+      sum += visibleDensity(view, (rise + 0.5) / (kCellSide * rise_count),
+                            (turn + 0.5) / (kCellSide * turn_count));
     }
     probabilities.push_back(sum / (kCellSide * kCellSide * rise_count * turn_count));
   }
@@ -80,8 +83,9 @@ double directionalAlbedo(const GgxView& view, double f0) {
   constexpr int kPoints = 192;
   double sum = 0.0;
   for (int point = 0; point < kPoints * kPoints; ++point) {
-    const VisibleFacet facet =
-        visibleFacet(view, f0, (point / kPoints + 0.5) / kPoints, (point % kPoints + 0.5) / kPoints);
+    const int rise = point / kPoints;
+    const int turn = point % kPoints;
+    const VisibleFacet facet = visibleFacet(view, f0, (rise + 0.5) / kPoints, (turn + 0.5) / kPoints);
     sum += facet.density * facet.weight;
   }
   return sum / (kPoints * kPoints);

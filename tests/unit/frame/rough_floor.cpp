@@ -19,7 +19,7 @@ bool isFloor(int y) {
 }
 
 double distAt(int y) {
-  return isFloor(y) ? 2.0 / ((y + 0.5) / (kSide / 2) - 1.0) : kWallDistance;
+  return isFloor(y) ? 2.0 / ((y + 0.5) / (0.5 * kSide) - 1.0) : kWallDistance;
 }
 
 glm::dvec3 pointAt(int x, int y) {
@@ -120,10 +120,12 @@ std::vector<FloorPixel> floorIntegrals(const RoughnessOf& roughness_of) {
   }
   for (int node = 0; node < kRises * kTurns; ++node) {
     std::vector<VisibleFacet> facets;
+    const int rise = node / kTurns;
+    const int turn = node % kTurns;
     for (const FloorPixel& pixel : pixels) {
       const Place place = placeAt(pixel.x, pixel.y);
       facets.push_back(visibleFacet({.cosine = place.to_eye.y, .roughness = roughness_of(pixel.x)}, 1.0,
-                                    (node / kTurns + 0.5) / kRises, (node % kTurns + 0.5) / kTurns));
+                                    (rise + 0.5) / kRises, (turn + 0.5) / kTurns));
       const glm::vec3 normal(place.inView(facets.back().direction));
       std::copy_n(&normal.x, 3, &normals.at(pixel.x, pixel.y));
     }

@@ -17,8 +17,8 @@ namespace {
 constexpr Size kSize{256, 256};
 constexpr int kWhite = 0;  // point_set of random.glsl
 constexpr int kRounds = 4;
-constexpr int kRiseCount = 16;
-constexpr int kTurnCount = 16;
+constexpr std::size_t kRiseCount = 16;
+constexpr std::size_t kTurnCount = 16;
 
 const std::vector<GgxView>& views() {
   static const std::vector<GgxView> list = [] {
@@ -94,7 +94,8 @@ class RoughSamplingTest : public PassTest {
 };
 
 std::string visibleNormalsDiffer(const GgxView& view, const std::vector<double>& counts) {
-  const double p = pearsonP(counts, visibleCellProbabilities(view, kRiseCount, kTurnCount));
+  const double p = pearsonP(
+      counts, visibleCellProbabilities(view, static_cast<int>(kRiseCount), static_cast<int>(kTurnCount)));
   return p < kFamilyLevel / static_cast<double>(views().size())
              ? fmt::format("{}: p = {:.3g} that the visible distribution gives such counts", nameOf(view), p)
              : "";
@@ -137,7 +138,8 @@ TEST(StatisticsTest, TheChiSquaredTailIsTheTables) {
 
 TEST(GgxReferenceTest, TheVisibleDistributionIsADistribution) {
   for (const GgxView& view : views()) {
-    const auto cells = visibleCellProbabilities(view, kRiseCount, kTurnCount);
+    const auto cells =
+        visibleCellProbabilities(view, static_cast<int>(kRiseCount), static_cast<int>(kTurnCount));
     EXPECT_NEAR(std::reduce(cells.begin(), cells.end()), 1.0, 1e-4) << nameOf(view);
   }
 }
@@ -154,10 +156,10 @@ TEST_P(RoughSamplingTest, MicrofacetsFollowTheVisibleDistribution) {
       std::size_t below = 0;
       visitMicrofacets(shader, view, [&](const glm::dvec3& microfacet) {
         const FacetPlace place = placeOf(microfacet, view.roughness * view.roughness);
-        const int rise = std::min(static_cast<int>(place.rise * kRiseCount), kRiseCount - 1);
-        const int turn = std::min(static_cast<int>(place.turn * kTurnCount), kTurnCount - 1);
+        const auto rise = std::min(static_cast<std::size_t>(place.rise * kRiseCount), kRiseCount - 1);
+        const auto turn = std::min(static_cast<std::size_t>(place.turn * kTurnCount), kTurnCount - 1);
         below += microfacet.z > 0.0 ? 0U : 1U;
-        counts[static_cast<std::size_t>(rise * kTurnCount + turn)] += 1.0;
+        counts[rise * kTurnCount + turn] += 1.0;
       });
       const std::string complaint = visibleNormalsDiffer(view, counts);
       if (below > 0 || !complaint.empty()) {
