@@ -15,7 +15,7 @@ namespace {
 struct ClassColumn {
   TrueClass true_class;
   const char* heading;
-  int width;
+  std::size_t width;
 };
 constexpr std::array<ClassColumn, 6> kClassColumns = {{{TrueClass::kVisible, "VISIBLE", 8},
                                                        {TrueClass::kUnsampled, "UNSAMPLED", 10},
@@ -26,24 +26,25 @@ constexpr std::array<ClassColumn, 6> kClassColumns = {{{TrueClass::kVisible, "VI
 struct VerdictColumn {
   GeometryVerdict verdict;
   const char* heading;
-  int width;
+  std::size_t width;
 };
 constexpr std::array<VerdictColumn, 4> kVerdictColumns = {{{GeometryVerdict::kTrueHit, "TRUE", 8},
                                                            {GeometryVerdict::kFalseHit, "FALSE", 6},
                                                            {GeometryVerdict::kMissedHit, "MISSED", 7},
                                                            {GeometryVerdict::kTrueMiss, "NONE", 7}}};
-constexpr int kSceneWidth = 12;
-constexpr int kRaysWidth = 7;
-constexpr int kStageWidth = 12;
-constexpr int kVerdictWidth = 11;
+constexpr std::size_t kLineWidth = 100;
+constexpr std::size_t kSceneWidth = 12;
+constexpr std::size_t kRaysWidth = 7;
+constexpr std::size_t kStageWidth = 12;
+constexpr std::size_t kVerdictWidth = 11;
 
 std::string percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? "-" : percentText(static_cast<double>(part) / static_cast<double>(whole), 2);
 }
 
 template <class Columns>
-int totalWidth(const Columns& columns) {
-  int sum = 0;
+std::size_t totalWidth(const Columns& columns) {
+  std::size_t sum = 0;
   for (const auto& column : columns) {
     sum += column.width;
   }
@@ -69,11 +70,17 @@ std::string headings() {
   return text + "\n";
 }
 
+// A case has a line of its own: its name finds no room beside the numbers.
+std::string labelOf(const GeometryRow& row) {
+  const std::string scene = cellText(row.scene, kSceneWidth);
+  const std::string blanks(kSceneWidth, ' ');
+  return row.case_name.empty() ? scene + blanks.substr(columnsOf(scene))
+                               : cellText(row.scene + " " + row.case_name, kLineWidth) + "\n" + blanks;
+}
+
 std::string lineOf(const GeometryRow& row) {
-  const std::string scene = row.case_name.empty() ? row.scene : row.scene + " " + row.case_name;
   const std::size_t rays = row.counts.rayCount();
-  std::string text = cellText(scene, kSceneWidth);
-  text += std::string(static_cast<std::size_t>(kSceneWidth) - columnsOf(text), ' ');
+  std::string text = labelOf(row);
   text += fmt::format("{:>{}}", countText(rays), kRaysWidth);
   for (const ClassColumn& column : kClassColumns) {
     const std::size_t of_class = row.counts.rays.at(static_cast<std::size_t>(column.true_class));
@@ -124,7 +131,7 @@ std::string trueClassTable(std::span<const RunRow> rows) {
     const std::string case_text = row.case_name.empty() ? "" : " " + row.case_name;
     std::string own = fmt::format("{} {}x{}{} {}: rays by verdict against Oracle A and by what they meet",
                                   row.scene, row.size.width, row.size.height, case_text, row.device);
-    own = cellText(own, 100);
+    own = cellText(own, kLineWidth);
     if (own != heading) {
       text +=
           fmt::format("{}\n{}{}\n", own, std::string(2 + kStageWidth + kVerdictWidth, ' '), classHeadings());

@@ -53,6 +53,17 @@ TEST(GeometryTable, GivesSharesOfTheRays) {
                                                          "6.00", "4.00", "58.00", "15.00", "1.00", "10.00"}));
 }
 
+TEST(GeometryTable, NamesACaseInFull) {
+  GeometryRow row = geometryRow();
+  row.case_name = "normals_octahedral";
+  const std::vector<GeometryRow> rows = {row};
+  const std::vector<std::string> lines = split(geometryTable(rows), '\n');
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[2], "clutter normals_octahedral");
+  EXPECT_EQ(cellsOf(lines[3]).front(), "1000");
+  EXPECT_EQ(columnsOf(lines[3]), columnsOf(lines[1]));
+}
+
 TEST(GeometryTable, FitsAHundredColumnsAtItsWidest) {
   GeometryRow wide = geometryRow();
   wide.scene = std::string(80, 's');
