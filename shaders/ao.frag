@@ -1,7 +1,9 @@
 // Ambient obscurance of each pixel, before its noise is blurred away (ao_blur.frag).
 //
-// The noise is a pattern of 4 x 4 pixels, so that a blur over four pixels each way meets every turn of the samples once.
-// In: dist_view, normal_view. Out: ao_noisy, r the visibility, g dist_view for the blur to tell edges by. Background: 1.
+// The noise is a pattern of 4 x 4 pixels, so that a blur over four pixels each way meets every turn of the samples
+// once.
+// In: dist_view, normal_view. Out: ao_noisy, r the visibility, g dist_view for the blur to tell edges by. Background:
+// 1.
 #version 450
 #include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"

@@ -1,12 +1,13 @@
-// One direction of the blur that takes the noise of 4 x 4 pixels out of ao_noisy: five texels, the outer two by half, so
-// that each of the pattern's four columns counts the same.
+// One direction of the blur that takes the noise of 4 x 4 pixels out of ao_noisy: five texels, the outer two by half,
+// so that each of the pattern's four columns counts the same.
 //
-// A neighbour counts where its depth is the one that the pixel's plane has there: 1 / dist_view is linear over a plane's
-// image (docs/spaces.md), so the neighbour k steps away should have the pixel's own plus k times the slope. The slope is
-// that of the side whose two texels lie the straighter, or 0 where neither does, as on a pole one texel wide. So a floor
-// seen at a grazing angle is blurred along its whole length, and nothing across an edge.
-// In: ao_noisy (by the row: what the first direction wrote), r visibility, g dist_view. Out: the same, blurred; background is left as it is. The result is the pixel's
-// own value and a mean of differences to it: a constant image keeps its bits.
+// A neighbour counts where its depth is the one that the pixel's plane has there: 1 / dist_view is linear over a
+// plane's image (docs/spaces.md), so the neighbour k steps away should have the pixel's own plus k times the slope.
+// The slope is that of the side whose two texels lie the straighter, or 0 where neither does, as on a pole one texel
+// wide. So a floor seen at a grazing angle is blurred along its whole length, and nothing across an edge.
+// In: ao_noisy (by the row: what the first direction wrote), r visibility, g dist_view. Out: the same, blurred;
+// background is left as it is. The result is the pixel's own value and a mean of differences to it: a constant image
+// keeps its bits.
 #version 450
 
 layout(std140, binding = 0) uniform AoBlurBlock {

@@ -42,11 +42,11 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   drawing.reads_shadow_map_ = std::ranges::any_of(drawing.passes_, readsShadowMap);
   if (scene != nullptr && drawing.reads_shadow_map_) {
     progress("compile shadow_map");
-    const auto program = programs.get(shadowMapPass(), settings);
-    if (!program) {
-      return tl::make_unexpected(program.error());
+    const auto compiled = shadowMapPrograms(programs, settings);
+    if (!compiled) {
+      return tl::make_unexpected(compiled.error());
     }
-    drawing.shadow_map_ = *program;
+    drawing.shadow_map_ = *compiled;
   }
   return drawing;
 }
@@ -85,7 +85,7 @@ Expected<void> FrameDrawing::drawShadows(Device& device, FrameImages& images, co
     return clearShadowMap(device, images);
   }
   progress("draw shadow_map");
-  const auto time = drawShadowMap(device, *shadow_map_, scene_->shadow_cascade_count, scene_->scene,
+  const auto time = drawShadowMap(device, shadow_map_, scene_->shadow_cascade_count, scene_->scene,
                                   scene_->resources, images, values);
   if (!time) {
     return tl::make_unexpected(time.error());

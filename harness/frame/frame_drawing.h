@@ -12,6 +12,7 @@
 #include "frame/posed_scene.h"
 #include "frame/programs.h"
 #include "frame/progress.h"
+#include "frame/shadow_map.h"
 
 namespace ssrkit {
 
@@ -39,7 +40,7 @@ class FrameDrawing {
   const PosedScene* scene_ = nullptr;  // not owned; posed anew before each frame
   const Program* gbuffer_ = nullptr;
   bool reads_shadow_map_ = false;
-  const Program* shadow_map_ = nullptr;
+  ShadowMapPrograms shadow_map_;
   std::vector<PreparedPass> passes_;
   PassTimes times_;
 };

@@ -50,6 +50,7 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
                                const SceneResources& resources, FrameImages& images,
                                const UniformValues& values) {
   GeometryPass pass{.row = &gbufferPass(),
+                    .ranges = scene.ranges,
                     .colour = {},
                     .depth = {},
                     .viewport = {0, 0, images.size().width, images.size().height}};

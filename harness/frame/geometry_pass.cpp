@@ -47,7 +47,7 @@ Expected<PassTime> drawGeometry(Device& device, const Program& program, const Ge
       desc.sampled.push_back({.binding = sampler.binding, .image = resources.material_table.get()});
     }
   }
-  for (const DrawRange& range : scene.ranges) {
+  for (const DrawRange& range : pass.ranges) {
     desc.draws.push_back({.first_vertex = range.first_vertex,
                           .vertex_count = range.vertex_count,
                           .sampled = rangeTextures(program, scene, resources, range.material_index)});

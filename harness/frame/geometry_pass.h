@@ -2,7 +2,7 @@
 // material.
 #pragma once
 
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/error.h"
@@ -15,6 +15,7 @@ namespace ssrkit {
 
 struct GeometryPass {
   const PassRow* row = nullptr;
+  std::span<const DrawRange> ranges;  // of the scene's: what is drawn
   std::vector<Attachment> colour;
   Attachment depth;
   Rect viewport;

@@ -22,8 +22,8 @@ namespace {
 
 // Every pass, and a stage's name for its trace shaders.
 std::vector<std::string> replaceableNames() {
-  std::vector<std::string> names = {gbufferPass().name, shadowMapPass().name, pyramidBasePass().name,
-                                    pyramidReducePass().name};
+  std::vector<std::string> names = {gbufferPass().name, shadowMapPass().name, shadowMapMaskedPass().name,
+                                    pyramidBasePass().name, pyramidReducePass().name};
   const auto add = [&names](const std::vector<FramePass>& passes) {
     for (const FramePass& pass : passes) {
       if (std::ranges::find(names, pass.name) == names.end()) {

@@ -1,10 +1,10 @@
 // Ambient obscurance by points in the hemisphere over a pixel.
 //
-// Points are strewn over the half ball about the surface's normal, as many in each direction as its cosine says, evenly
-// from the centre to radius_m. A point is covered when it lies in a column of the depth image: behind the depth Z of its
-// texel, and before Z + T (Mittring, "Finding Next Gen: CryEngine 2", SIGGRAPH 2007 course, section 8.5.4.3; the half ball:
-// Filion and McNaughton, "Effects & Techniques", SIGGRAPH 2008 course, StarCraft II). The share of points that are not
-// covered is, in the mean,
+// Points are strewn over the half ball about the surface's normal, as many in each direction as its cosine says,
+// evenly from the centre to radius_m. A point is covered when it lies in a column of the depth image: behind the
+// depth Z of its texel, and before Z + T (Mittring, "Finding Next Gen: CryEngine 2", SIGGRAPH 2007 course, section
+// 8.5.4.3; the half ball: Filion and McNaughton, "Effects & Techniques", SIGGRAPH 2008 course, StarCraft II). The
+// share of points that are not covered is, in the mean,
 //   1 - 1/pi * integral over the hemisphere of max(0, 1 - distance(w) / radius_m) * cos w  dw
 // with distance(w) that of the first surface: obscurance with a linear fall-off (Zhukov, Iones and Kronin, "An Ambient
 // Light Illumination Model", 1998). On the edge of a right angle it is 1/2, for two endless walls whatever the radius.
@@ -14,8 +14,8 @@
 // - A column is as thick as thickness_m, then fades over as much again: what stands far before the pixel casts no halo.
 // - Points outside the image, or before the near plane, are not covered: nothing is known of them.
 // Needs: float load_dist_view(vec2 texel), metres, +inf for background.
-// In: view position and unit normal of a texel's centre; `noise`, three numbers of 0 to 1 that differ from pixel to pixel
-//   and turn, spread and stretch the points.
+// In: view position and unit normal of a texel's centre; `noise`, three numbers of 0 to 1 that differ from pixel to
+//   pixel and turn, spread and stretch the points.
 #ifndef AMBIENT_OCCLUSION_GLSL
 #define AMBIENT_OCCLUSION_GLSL
 

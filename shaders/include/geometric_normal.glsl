@@ -1,11 +1,12 @@
 // The normal of the surface itself at a texel, from the depths around it; a normal map does not bend it.
 //
-// Purpose: the slope of a surface against a light. The G-buffer's normal_view is the shading normal, which on a facet of
-//   a sphere, or under a normal map, is another plane than the one that was drawn.
+// Purpose: the slope of a surface against a light. The G-buffer's normal_view is the shading normal, which on a facet
+//   of a sphere, or under a normal map, is another plane than the one that was drawn.
 // Needs: float load_dist_view(vec2 texel), metres, +inf for background.
-// In: the texel's own position and shading normal. Out: unit, towards the camera. Where the neighbours on two sides do
-//   not lie on one line with the texel, as at an edge, before the sky or on a pole one texel wide, it is the shading normal; also where
-//   the result is farther off than normal maps bend. At the image's border the one neighbour there is is believed.
+// In: the texel's own position and shading normal. Out: unit, towards the camera. Where the neighbours on two sides
+//   do not lie on one line with the texel, as at an edge, before the sky or on a pole one texel wide, it is the
+//   shading normal; also where the result is farther off than normal maps bend. At the image's border the one
+//   neighbour there is is believed.
 #ifndef GEOMETRIC_NORMAL_GLSL
 #define GEOMETRIC_NORMAL_GLSL
 

@@ -1,8 +1,8 @@
 // Visibility of a directional light from a shadow map in cascades.
 //
-// Light space: metres, right-handed, z along the light's way, origin that of the world; x and y grow as the map's columns
-//   and rows do, so nothing is flipped. A cascade is a square of the map: xy of its first texel's corner in metres, then
-//   metres a texel, then its inverse. The map's depth is (z - near_m) / range_m.
+// Light space: metres, right-handed, z along the light's way, origin that of the world; x and y grow as the map's
+//   columns and rows do, so nothing is flipped. A cascade is a square of the map: xy of its first texel's corner in
+//   metres, then metres a texel, then its inverse. The map's depth is (z - near_m) / range_m.
 // Percentage-closer filtering over 3 x 3 texels (Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth
 //   Maps", SIGGRAPH 1987): the share of the square of 3 x 3 texels about the point, edges counted by the part of them
 //   that the square covers, whose stored depth is not before the receiver.
@@ -10,11 +10,13 @@
 //   (Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), so a lit plane needs no bias for its slope.
 //   What is left is what its normal may be wrong by, as between two facets of a sphere, at the filter's farthest texel:
 //     bias_m = texel_m * reach * error / max(cosine^2, 1/32) + range_m * 2^-20 * (1 + |slope|)
-//   reach: 2 sqrt 2 texels. error: 3/16 rad, the facets of a sphere of 48 across both axes. 1 / cosine^2: how fast the slope, a tangent,
-//   grows with the angle; bounded, as a surface that the light grazes is dark anyway. 2^-20: single precision.
+//   reach: 2 sqrt 2 texels. error: 3/16 rad, the facets of a sphere of 48 across both axes. 1 / cosine^2: how fast
+//   the slope, a tangent, grows with the angle; bounded, as a surface that the light grazes is dark anyway. 2^-20:
+//   single precision.
 // Needs: float load_shadow_depth(vec2 texel) over the whole atlas, cascades side by side.
-// In: light-space position, slope of the receiver's plane and its cosine. Out: 0 to 1. A surface that the light does not reach from its front, or
-//   meets within 1.1 degrees of its plane (SHADOW_MIN_COSINE), is in its own shadow: 0. Outside all cascades: 1.
+// In: light-space position, slope of the receiver's plane and its cosine. Out: 0 to 1. A surface that the light does
+//   not reach from its front, or meets within 1.1 degrees of its plane (SHADOW_MIN_COSINE), is in its own shadow: 0.
+//   Outside all cascades: 1.
 #ifndef SHADOW_MAP_GLSL
 #define SHADOW_MAP_GLSL
 

@@ -47,8 +47,8 @@ void main() {
   vec3 p_light = (light_from_view * vec4(p_view, 1.0)).xyz;
   vec3 normal_light = mat3(light_from_view) * normal;
   float shading_cosine = -(mat3(light_from_view) * shading_normal).z;
-  // A sphere's facets just past its terminator face away and are still lit by their smooth normal. Their own plane would
-  // cut the terminator into teeth: they are compared as points, with the bias of the smooth normal.
+  // A sphere's facets just past its terminator face away and are still lit by their smooth normal. Their own plane
+  // would cut the terminator into teeth: they are compared as points, with the bias of the smooth normal.
   bool faces_away = -normal_light.z <= SHADOW_MIN_COSINE;
   vec2 slope = faces_away ? vec2(0.0) : shadow_slope(normal_light);
   float visibility = shadow_visibility(p_light, slope, faces_away ? shading_cosine : -normal_light.z, map);

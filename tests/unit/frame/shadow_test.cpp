@@ -54,11 +54,11 @@ class ShadowTest : public PassTest {
     }
     const CompileSettings settings{.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders"};
     const auto gbuffer = programs_->get(gbufferPass(), settings);
-    const auto map = programs_->get(shadowMapPass(), settings);
+    const auto map = shadowMapPrograms(*programs_, settings);
     ASSERT_TRUE(gbuffer.has_value() && map.has_value());
     FrameImages images(*device_, camera.size);
     ASSERT_TRUE(drawGbuffer(*device_, **gbuffer, scene, *resources, images, values_).has_value());
-    const auto mapped = drawShadowMap(*device_, **map, cascade_count, scene, *resources, images, values_);
+    const auto mapped = drawShadowMap(*device_, *map, cascade_count, scene, *resources, images, values_);
     ASSERT_TRUE(mapped.has_value()) << sentence(mapped.error());
     dist_view_ = *readImage(*device_, *images.find("dist_view"), {"Z"});
     normal_view_ = *readImage(*device_, *images.find("normal_view"), {"R", "G", "B", "A"});
@@ -256,15 +256,18 @@ TEST_P(ShadowTest, WhatCastsIsWhatTheLightWouldSee) {
   const Quad facing_down{{-20, 3, -20}, {20, 3, -20}, {20, 3, 20}, {-20, 3, 20}};
   Material cut{.alpha_mode = AlphaMode::kMask};
   cut.base_colour.a = 0.25F;
+  const Material cut_by_texture{.alpha_mode = AlphaMode::kMask, .base_colour_texture = 0};
   struct Case {
     Quad quad;
     Material material;
     bool casts;
   };
   for (const Case& cover : {Case{facing_up, {}, true}, Case{facing_down, {}, false},
-                            Case{facing_down, {.double_sided = true}, true}, Case{facing_up, cut, false}}) {
+                            Case{facing_down, {.double_sided = true}, true}, Case{facing_up, cut, false},
+                            Case{facing_up, cut_by_texture, false}}) {
     PlaneScene planes(lightFrom(60, 20));
     planes.floor(0.0, 15.0).quad(cover.quad, cover.material);
+    planes.scene().textures = {{.name = "hole", .size = {1, 1}, .rgba = {255, 255, 255, 0}}};
     giveScene(planes.scene(), camera);
     const Image drawn = shadow();
     EXPECT_EQ(drawn.at(48, 40), cover.casts ? 0.0F : 1.0F);
