@@ -1,13 +1,22 @@
 // One check that was made, as every report shows it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/size.h"
 #include "check/outcome.h"
 
 namespace ssrkit {
+
+// How many of what was counted fall into one class.
+struct HistogramBin {
+  std::string label;
+  std::size_t count = 0;
+};
 
 struct CheckResult {
   std::string id;         // "hiz.matches_oracle.different_rays": the test's id and the expectation's name
@@ -21,7 +30,12 @@ struct CheckResult {
   std::optional<double> value;  // as measured, in `unit`; none when nothing could be measured
   std::optional<double> max;    // the bounds it is held to, either or both
   std::optional<double> min;
-  std::string unit;     // "rays", "px", "ratio"
+  std::string unit;  // "rays", "px", "ratio"
+  std::optional<std::pair<double, double>>
+      interval;                         // holds the true value with 99 %, where the noise is known
+  std::size_t compared = 0;             // rays, pixels or rounds that had a say
+  std::string remark;                   // what else the metric tells, whatever the outcome
+  std::vector<HistogramBin> histogram;  // where the value is one of a distribution
   std::string message;  // several lines on a failure: where, yours, expected, how widespread, likely cause
   std::string repro;    // the command that runs this check alone
 };

@@ -44,6 +44,9 @@ CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
   result.metric = row(expectation.metric).name;
   result.unit = row(expectation.metric).unit;
   result.value = measurement.value;
+  result.interval = measurement.interval;
+  result.histogram = measurement.histogram;
+  result.compared = measurement.compared;
   result.max = expectation.max;
   result.min = expectation.min;
   result.repro = subject.repro;
@@ -54,6 +57,7 @@ CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
     measurement.remark =
         of_rays ? "no ray was compared" : "no " + measurement.compared_what + " were compared";
   }
+  result.remark = measurement.problem.empty() ? measurement.remark : measurement.problem;
   if (result.outcome == Outcome::kPass) {
     result.message = measurement.remark;
   } else {

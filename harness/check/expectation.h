@@ -44,6 +44,7 @@ struct Expectation {
   std::optional<double> max;
   std::optional<double> min;
   double percentile = 100.0;      // 100: the largest
+  bool has_percentile = false;    // it was given; `flip` is a mean without it
   double margin = 0.05;           // of the bound: a measured ratio fails only beyond bound * (1 + margin)
   std::vector<Verdict> verdicts;  // the verdicts that verdict_count and verdict_share count
   std::vector<TrueClass> true_classes;             // the rays that the truth `geometry` counts

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "check/evaluate.h"
-#include "check/read_expect_section.h"
+#include "check/size_text.h"
 
 namespace ssrkit {
 

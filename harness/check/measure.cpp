@@ -11,6 +11,8 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
     case Metric::kVerdicts:
     case Metric::kVerdictShare:
       return measureVerdicts(expectation, subject);
+    case Metric::kVerdictGain:
+      return measureVerdictGain(expectation, subject);
     case Metric::kHitPositionPx:
       return expectation.truth.kind == TruthKind::kGeometry ? measureTrueHitError(expectation, subject)
                                                             : measureHitPosition(expectation, subject);
@@ -20,6 +22,8 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
       return measureGeometryVerdicts(expectation, subject);
     case Metric::kHitDistanceError:
       return measureTrueHitError(expectation, subject);
+    case Metric::kHitJumpPx:
+      return measureHitJump(expectation, subject);
     case Metric::kClosedForm:
     case Metric::kClosedFormLookups:
       return measureClosedForm(expectation, subject);
@@ -30,6 +34,8 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
     case Metric::kRelativeError:
     case Metric::kAbsoluteError:
       return measureImageError(expectation, subject);
+    case Metric::kFlip:
+      return measureFlip(expectation, subject);
     case Metric::kMaskFlipsPerMillion:
       return measureMaskFlips(expectation, subject);
     case Metric::kMeanLookups:
@@ -40,8 +46,14 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
       return measureLookupRatio(expectation, subject);
     case Metric::kLookupsAdded:
       return measureLookupsAdded(expectation, subject);
+    case Metric::kMissLookupRatio:
+      return measureMissLookupRatio(subject);
+    case Metric::kResampledShare:
+    case Metric::kSkippedShare:
+      return measureSampling(expectation, subject);
     case Metric::kCpuRatio:
     case Metric::kPassCpuShare:
+    case Metric::kPassCpuLead:
       return measureCpuRatio(expectation, subject);
     case Metric::kConvergence:
       return measureConvergence(expectation, subject);

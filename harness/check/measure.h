@@ -15,6 +15,7 @@ namespace ssrkit {
 [[nodiscard]] Measurement measureDifferentRays(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureAmbiguousShare(const Subject& subject);
 [[nodiscard]] Measurement measureVerdicts(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureVerdictGain(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureHitPosition(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject);
 
@@ -22,6 +23,8 @@ namespace ssrkit {
 [[nodiscard]] Measurement measureTrueClasses(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureGeometryVerdicts(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureTrueHitError(const Expectation& expectation, const Subject& subject);
+// measure_banding.cpp: neighbour against neighbour.
+[[nodiscard]] Measurement measureHitJump(const Expectation& expectation, const Subject& subject);
 
 // measure_closed_form.cpp
 [[nodiscard]] Measurement measureClosedForm(const Expectation& expectation, const Subject& subject);
@@ -33,10 +36,17 @@ namespace ssrkit {
 [[nodiscard]] Measurement measureCoverageFlips(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureImageError(const Expectation& expectation, const Subject& subject);
 
+// measure_flip.cpp: pictures as somebody sees them.
+[[nodiscard]] Measurement measureFlip(const Expectation& expectation, const Subject& subject);
+
 // measure_lookups.cpp
 [[nodiscard]] Measurement measureLookups(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureLookupRatio(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureLookupsAdded(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureMissLookupRatio(const Subject& subject);
+
+// measure_sampling.cpp: where the march looks.
+[[nodiscard]] Measurement measureSampling(const Expectation& expectation, const Subject& subject);
 
 // measure_time.cpp
 [[nodiscard]] Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject);

@@ -7,7 +7,7 @@
 #include "check/measure.h"
 #include "check/measure_image_pair.h"
 #include "check/percentile.h"
-#include "check/read_expect_section.h"
+#include "check/size_text.h"
 
 namespace ssrkit {
 

@@ -10,6 +10,9 @@ namespace ssrkit {
 
 namespace {
 
+// Of either kind, for the mean of one to be held against the other's.
+constexpr std::size_t kFewestRays = 100;
+
 struct Lookups {
   std::vector<double> per_ray;
   double mean = 0.0;
@@ -73,6 +76,20 @@ MeanPair meansOf(const Expectation& expectation, const Subject& subject) {
   return means;
 }
 
+// The mean lookups of the rays that `belong`, and how many they are.
+template <class Belongs>
+std::pair<double, std::size_t> meanOf(const RayRecord& record, Belongs belongs) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const RayHit& ray : record.rays) {
+    if (belongs(ray.ray_class)) {
+      sum += ray.lookups;
+      ++count;
+    }
+  }
+  return {sum / std::max(1.0, static_cast<double>(count)), count};
+}
+
 }  // namespace
 
 Measurement measureLookups(const Expectation& expectation, const Subject& subject) {
@@ -117,6 +134,32 @@ Measurement measureLookupRatio(const Expectation& expectation, const Subject& su
   measurement.value = means.compared == 0 ? 0.0 : means.other / means.yours;
   measurement.remark = fmt::format("{} makes {:.4g} lookups per ray, {} {:.4g}", subject.self->stage,
                                    means.yours, expectation.truth.name, means.other);
+  return measurement;
+}
+
+Measurement measureMissLookupRatio(const Subject& subject) {
+  if (std::string problem = problemWithRecord(*subject.self); !problem.empty()) {
+    return cannotMeasure(std::move(problem));
+  }
+  const RayRecord& record = *subject.self->record;
+  const auto [hit_mean, hits] =
+      meanOf(record, [](RayClass ray_class) { return ray_class == RayClass::kHit; });
+  // A ray into its own surface never starts.
+  const auto [miss_mean, misses] = meanOf(record, [](RayClass ray_class) {
+    return !hasNoRay(ray_class) && ray_class != RayClass::kHit && ray_class != RayClass::kIntoSurface;
+  });
+  if (hits == 0 || misses == 0 || hit_mean == 0.0) {
+    return cannotMeasure(
+        fmt::format("{} rays hit and {} miss, so that no ratio of their lookups exists", hits, misses));
+  }
+  Measurement measurement;
+  measurement.compared = hits + misses;
+  if (std::min(hits, misses) < kFewestRays) {
+    measurement.outcome = Outcome::kInconclusive;
+  }
+  measurement.value = miss_mean / hit_mean;
+  measurement.remark = fmt::format("{} rays that miss make {:.4g} lookups each, {} that hit {:.4g}", misses,
+                                   miss_mean, hits, hit_mean);
   return measurement;
 }
 

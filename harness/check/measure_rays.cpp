@@ -28,7 +28,52 @@ double hitDistancePx(const RayPair& pair) {
   return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }
 
+// The share of an answer's rays with one of the verdicts.
+struct Share {
+  double value = 0.0;
+  std::size_t rays = 0;
+  std::string problem;
+};
+
+Share shareOf(const Answer& answer, const std::vector<Verdict>& wanted) {
+  Share share;
+  share.problem = problemWithRecord(answer);
+  if (share.problem.empty() && (answer.oracle == nullptr || answer.oracle_input == nullptr)) {
+    share.problem = fmt::format("the oracle was not asked about the stage '{}'", answer.stage);
+  }
+  if (!share.problem.empty()) {
+    return share;
+  }
+  std::size_t counted = 0;
+  for (const Verdict verdict : compareWithOracle(*answer.record, *answer.oracle, *answer.oracle_input)) {
+    share.rays += verdict != Verdict::kNone ? 1U : 0U;
+    counted += std::ranges::find(wanted, verdict) != wanted.end() ? 1U : 0U;
+  }
+  share.value = static_cast<double>(counted) / std::max(1.0, static_cast<double>(share.rays));
+  return share;
+}
+
 }  // namespace
+
+Measurement measureVerdictGain(const Expectation& expectation, const Subject& subject) {
+  const auto answer = answerOfTruth(subject, expectation.truth);
+  if (const auto* problem = std::get_if<std::string>(&answer)) {
+    return cannotMeasure(*problem);
+  }
+  const Share yours = shareOf(*subject.self, expectation.verdicts);
+  const Share other = shareOf(*std::get<const Answer*>(answer), expectation.verdicts);
+  for (const Share* share : {&yours, &other}) {
+    if (!share->problem.empty()) {
+      return cannotMeasure(share->problem);
+    }
+  }
+  Measurement measurement;
+  measurement.compared = std::min(yours.rays, other.rays);
+  measurement.value = yours.value - other.value;
+  measurement.remark =
+      fmt::format("{:.4g} of the rays, {:.4g} of {}", yours.value, other.value, truthText(expectation.truth));
+  return measurement;
+}
 
 Measurement measureDifferentRays(const Expectation& expectation, const Subject& subject) {
   const RayPairs pairs = pairRays(subject, expectation.truth);

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "check/measure.h"
 #include "check/paired_ratio.h"
+#include "check/percentile.h"
 
 namespace ssrkit {
 
@@ -13,7 +16,20 @@ struct CpuRounds {
   std::string problem;
 };
 
-CpuRounds cpuOf(const Answer& answer, const std::vector<std::string>& passes) {
+// In the place of a list of passes: every pass of the frame and of the trace.
+constexpr const char* kAllPasses = "all";
+
+std::vector<std::string> timedPasses(const Answer& answer) {
+  std::vector<std::string> passes;
+  for (const auto& [pass, samples] : answer.times) {
+    passes.push_back(pass);
+  }
+  return passes;
+}
+
+CpuRounds cpuOf(const Answer& answer, const std::vector<std::string>& named) {
+  const std::vector<std::string> passes =
+      named == std::vector<std::string>{kAllPasses} ? timedPasses(answer) : named;
   CpuRounds rounds;
   for (const std::string& pass : passes) {
     const auto found = answer.times.find(pass);
@@ -34,19 +50,24 @@ CpuRounds cpuOf(const Answer& answer, const std::vector<std::string>& passes) {
   return rounds;
 }
 
-}  // namespace
-
-Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject) {
-  const Answer* below = subject.self;
-  if (expectation.metric == Metric::kCpuRatio) {
-    const auto answer = answerOfTruth(subject, expectation.truth);
-    if (const auto* problem = std::get_if<std::string>(&answer)) {
-      return cannotMeasure(*problem);
+// The pass with the largest median that is not among `passes`; empty when there is no other.
+std::string costliestOther(const Answer& answer, const std::vector<std::string>& passes) {
+  constexpr double kMedian = 50.0;
+  std::string costliest;
+  double most = 0.0;
+  for (const std::string& pass : timedPasses(answer)) {
+    const CpuRounds rounds = cpuOf(answer, {pass});
+    const bool is_other = std::ranges::find(passes, pass) == passes.end();
+    if (is_other && !rounds.cpu_ns.empty() && percentileOf(rounds.cpu_ns, kMedian) > most) {
+      most = percentileOf(rounds.cpu_ns, kMedian);
+      costliest = pass;
     }
-    below = std::get<const Answer*>(answer);
   }
-  const CpuRounds yours = cpuOf(*subject.self, expectation.passes);
-  const CpuRounds other = cpuOf(*below, expectation.over.empty() ? expectation.passes : expectation.over);
+  return costliest;
+}
+
+// The ratio of the rounds of one cost to those of another, held to the expectation's bounds.
+Measurement ratioOf(const CpuRounds& yours, const CpuRounds& other, const Expectation& expectation) {
   for (const CpuRounds* side : {&yours, &other}) {
     if (!side->problem.empty()) {
       return cannotMeasure(side->problem);
@@ -66,9 +87,35 @@ Measurement measureCpuRatio(const Expectation& expectation, const Subject& subje
     return measurement;
   }
   measurement.value = ratio->median;
+  measurement.interval = {ratio->low, ratio->high};
   measurement.outcome = judgeRatio(*ratio, expectation.min, expectation.max, expectation.margin);
   measurement.remark = fmt::format("median of {} interleaved rounds {:.4g}, 99 % interval {:.4g} to {:.4g}",
                                    yours.cpu_ns.size(), ratio->median, ratio->low, ratio->high);
+  return measurement;
+}
+
+}  // namespace
+
+Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject) {
+  const Answer* below = subject.self;
+  if (expectation.metric == Metric::kCpuRatio) {
+    const auto answer = answerOfTruth(subject, expectation.truth);
+    if (const auto* problem = std::get_if<std::string>(&answer)) {
+      return cannotMeasure(*problem);
+    }
+    below = std::get<const Answer*>(answer);
+  }
+  std::vector<std::string> over = expectation.over.empty() ? expectation.passes : expectation.over;
+  const bool is_lead = expectation.metric == Metric::kPassCpuLead;
+  if (is_lead) {
+    over = {costliestOther(*subject.self, expectation.passes)};
+    if (over.front().empty()) {
+      return cannotMeasure("no other pass was timed");
+    }
+  }
+  Measurement measurement =
+      ratioOf(cpuOf(*subject.self, expectation.passes), cpuOf(*below, over), expectation);
+  measurement.remark += is_lead && measurement.value ? fmt::format(", over '{}'", over.front()) : "";
   return measurement;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_result.h"
 #include "check/outcome.h"
 #include "image/ray_record.h"
 
@@ -30,12 +31,15 @@ struct FindingText {
 
 struct Measurement {
   std::optional<double> value;
-  std::size_t compared = 0;            // rays or pixels that had a say
-  std::string compared_what = "rays";  // or "pixels", "rounds"
-  std::string problem;                 // why it could not be measured: outcome error
-  std::string remark;                  // a line for the message, whatever the outcome
-  std::optional<Outcome> outcome;      // where the bounds alone do not decide
-  std::vector<Finding> findings;       // every texel that counts against the subject
+  std::optional<std::pair<double, double>>
+      interval;                         // holds the true value with 99 % probability, where noise is known
+  std::vector<HistogramBin> histogram;  // where the value is one of a distribution
+  std::size_t compared = 0;             // rays or pixels that had a say
+  std::string compared_what = "rays";   // or "pixels", "rounds"
+  std::string problem;                  // why it could not be measured: outcome error
+  std::string remark;                   // a line for the message, whatever the outcome
+  std::optional<Outcome> outcome;       // where the bounds alone do not decide
+  std::vector<Finding> findings;        // every texel that counts against the subject
   std::map<std::pair<RayClass, RayClass>, std::size_t> confusion;  // of the findings: expected, yours
   std::function<FindingText(const Finding&)> describe;             // called for the findings that are shown
   std::function<std::optional<std::string>()> cause;               // called on failure

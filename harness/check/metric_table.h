@@ -15,13 +15,16 @@ enum class Metric : std::uint8_t {
   kAmbiguousShare,
   kVerdicts,
   kVerdictShare,
+  kVerdictGain,
   kHitPositionPx,
+  kHitJumpPx,
   kClosedForm,
   kClosedFormLookups,
   kIdentical,
   kCoverageFlips,
   kRelativeError,
   kAbsoluteError,
+  kFlip,
   kMaskFlipsPerMillion,
   kTrueClassShare,
   kTrueVerdictShare,
@@ -31,8 +34,12 @@ enum class Metric : std::uint8_t {
   kMaxLookups,
   kLookupRatio,
   kLookupsAdded,
+  kMissLookupRatio,
   kCpuRatio,
   kPassCpuShare,
+  kPassCpuLead,
+  kResampledShare,
+  kSkippedShare,
   kConvergence,
   kBudgetMonotone,
   kFinite,
@@ -66,6 +73,7 @@ struct MetricRow {
   bool zero_by_default = false;        // without bounds, max is 0
   bool over_cases = false;             // one check over the whole list `cases`
   bool timed = false;                  // needs the test's `rounds`
+  bool needs_oracle = false;           // even where the truth is another
 };
 
 [[nodiscard]] std::span<const MetricRow> metricRows();

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/text.h"
 #include "check/field_reader.h"
 #include "check/read_metric_keys.h"
+#include "check/size_text.h"
 
 namespace ssrkit {
 
@@ -143,10 +143,11 @@ void readScope(FieldReader& fields, const MetricRow& metric_row, const TestFile&
   }
 }
 
-void readBounds(FieldReader& fields, const MetricRow& metric_row, Expectation& expectation) {
+void readBounds(FieldReader& fields, const MetricRow& metric_row, const ReadRules& rules,
+                Expectation& expectation) {
   expectation.max = fields.number("max", -kUnlimited, kUnlimited);
   expectation.min = fields.number("min", -kUnlimited, kUnlimited);
-  if (!expectation.max && !expectation.min) {
+  if (!expectation.max && !expectation.min && rules.needs_bounds) {
     if (metric_row.zero_by_default) {
       expectation.max = 0.0;
     } else {
@@ -170,29 +171,8 @@ std::string truthText(const Truth& truth) {
   return wordOf(truth.kind) + truth.name;
 }
 
-std::optional<Size> parseSize(std::string_view text) {
-  const std::vector<std::string> sides = split(text, 'x');
-  if (sides.size() != 2) {
-    return std::nullopt;
-  }
-  std::array<int, 2> parsed{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::optional<double> number = parseNumber(sides[i]);
-    constexpr double kLargestSide = 16384.0;
-    if (!number || *number < 1.0 || *number > kLargestSide || *number != static_cast<int>(*number)) {
-      return std::nullopt;
-    }
-    parsed.at(i) = static_cast<int>(*number);
-  }
-  return Size{parsed[0], parsed[1]};
-}
-
-std::string sizeText(Size size) {
-  return fmt::format("{}x{}", size.width, size.height);
-}
-
 Expected<Expectation> readExpectSection(const TomlValue& table, const TestFile& test, const KnownNames& known,
-                                        const std::string& attempted) {
+                                        const ReadRules& rules, const std::string& attempted) {
   FieldReader fields(table, "[[expect]]", test.file, attempted);
   Expectation expectation;
   const std::string metric = fields.text("metric");
@@ -201,14 +181,16 @@ Expected<Expectation> readExpectSection(const TomlValue& table, const TestFile& 
     fields.requireKnown("metric", metric, "metric", metricNames());
     return tl::make_unexpected(fields.result().error());
   }
-  fields.allowOnly(keysOf(*metric_row));
+  std::vector<std::string> keys = keysOf(*metric_row);
+  keys.insert(keys.end(), rules.expect_keys.begin(), rules.expect_keys.end());
+  fields.allowOnly(keys);
   expectation.metric = metric_row->metric;
   expectation.name = fields.optionalText("name").value_or(metric);
   expectation.where = placeText(test.file, table.place);
   expectation.allow_empty = fields.flag("allow_empty");
   readScope(fields, *metric_row, test, expectation);
   readTruth(fields, *metric_row, test, known, expectation);
-  readBounds(fields, *metric_row, expectation);
+  readBounds(fields, *metric_row, rules, expectation);
   readMetricKeys(fields, *metric_row, test, expectation);
   if (!fields.ok()) {
     return tl::make_unexpected(fields.result().error());

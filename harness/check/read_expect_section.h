@@ -12,10 +12,7 @@ namespace ssrkit {
 
 // One section. `test` is complete but for its expectations: stages and cases are checked against it.
 [[nodiscard]] Expected<Expectation> readExpectSection(const TomlValue& table, const TestFile& test,
-                                                      const KnownNames& known, const std::string& attempted);
-
-// "640x360"; both sides 1..16384.
-[[nodiscard]] std::optional<Size> parseSize(std::string_view text);
-[[nodiscard]] std::string sizeText(Size size);
+                                                      const KnownNames& known, const ReadRules& rules,
+                                                      const std::string& attempted);
 
 }  // namespace ssrkit

@@ -10,6 +10,7 @@
 #include "check/field_reader.h"
 #include "check/read_case_section.h"
 #include "check/read_expect_section.h"
+#include "check/size_text.h"
 
 namespace ssrkit {
 
@@ -104,8 +105,8 @@ Expected<void> readCases(const TomlValue& document, const KnownNames& known, con
   return {};
 }
 
-Expected<void> readExpects(const TomlValue& document, const KnownNames& known, const std::string& attempted,
-                           TestFile& test) {
+Expected<void> readExpects(const TomlValue& document, const KnownNames& known, const ReadRules& rules,
+                           const std::string& attempted, TestFile& test) {
   if (auto sections = requireSections(document, "expect", test.file, attempted); !sections) {
     return sections;
   }
@@ -115,7 +116,7 @@ Expected<void> readExpects(const TomlValue& document, const KnownNames& known, c
                       "add at least one [[expect]] section");
   }
   for (const TomlValue& table : expects->value.elements) {
-    Expected<Expectation> expectation = readExpectSection(table, test, known, attempted);
+    Expected<Expectation> expectation = readExpectSection(table, test, known, rules, attempted);
     if (!expectation) {
       return tl::make_unexpected(expectation.error());
     }
@@ -133,33 +134,39 @@ Expected<void> readExpects(const TomlValue& document, const KnownNames& known, c
 
 Expected<TestFile> readExpectations(std::string_view content, const std::string& file,
                                     const KnownNames& known) {
+  const Expected<TomlValue> document =
+      parseToml(content, file, fmt::format("read the expectations '{}'", file));
+  return document ? readExpectations(*document, file, known, {}) : tl::make_unexpected(document.error());
+}
+
+Expected<TestFile> readExpectations(const TomlValue& document, const std::string& file,
+                                    const KnownNames& known, const ReadRules& rules) {
   const std::string attempted = fmt::format("read the expectations '{}'", file);
   TestFile test;
   test.file = file;
-  const Expected<TomlValue> document = parseToml(content, file, attempted);
-  if (!document) {
-    return tl::make_unexpected(document.error());
-  }
-  FieldReader top(*document, "the file", file, attempted);
-  top.allowOnly(kTopKeys);
-  const TomlEntry* section = document->find("test");
+  FieldReader top(document, "the file", file, attempted);
+  std::vector<std::string> keys = kTopKeys;
+  keys.insert(keys.end(), rules.top_keys.begin(), rules.top_keys.end());
+  top.allowOnly(keys);
+  const TomlEntry* section = document.find("test");
   if (section == nullptr || section->value.kind != TomlValue::Kind::kTable) {
     top.complain("test", "the file has no [test] section", "begin it with [test]");
   }
   if (!top.ok()) {
     return tl::make_unexpected(top.result().error());
   }
-  const Expected<void> read = readTestSection(section->value, known, attempted, test)
-                                  .and_then([&] { return readCases(*document, known, attempted, test); })
-                                  .and_then([&] { return readExpects(*document, known, attempted, test); });
+  const Expected<void> read =
+      readTestSection(section->value, known, attempted, test)
+          .and_then([&] { return readCases(document, known, attempted, test); })
+          .and_then([&] { return readExpects(document, known, rules, attempted, test); });
   if (!read) {
     return tl::make_unexpected(read.error());
   }
   return test;
 }
 
-Expected<std::vector<TestFile>> loadExpectations(const std::filesystem::path& path, const KnownNames& known) {
-  const std::string attempted = fmt::format("read the expectations in '{}'", path.string());
+Expected<std::vector<std::filesystem::path>> tomlFiles(const std::filesystem::path& path,
+                                                       const std::string& attempted) {
   std::vector<std::filesystem::path> files;
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure)) {
@@ -176,8 +183,17 @@ Expected<std::vector<TestFile>> loadExpectations(const std::filesystem::path& pa
     return inputError(attempted, failure ? failure.message() : "the folder holds no .toml file",
                       path.string());
   }
+  return files;
+}
+
+Expected<std::vector<TestFile>> loadExpectations(const std::filesystem::path& path, const KnownNames& known) {
+  const std::string attempted = fmt::format("read the expectations in '{}'", path.string());
+  const auto files = tomlFiles(path, attempted);
+  if (!files) {
+    return tl::make_unexpected(files.error());
+  }
   std::vector<TestFile> tests;
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : *files) {
     const Expected<std::string> content = readFile(file);
     if (!content) {
       return tl::make_unexpected(content.error());

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "check/expectation.h"
+#include "check/toml_document.h"
 
 namespace ssrkit {
 
@@ -22,9 +23,24 @@ struct KnownNames {
   std::vector<std::string> techniques;
 };
 
+// What files that are more than expectations (claims) allow beyond them.
+struct ReadRules {
+  std::vector<std::string> top_keys;     // sections of the file beside [test], [[case]] and [[expect]]
+  std::vector<std::string> expect_keys;  // keys of [[expect]]
+  bool needs_bounds = true;  // false: without any, an expectation has none, not even its metric's own
+};
+
 // One file's content. `file` is the name that messages show.
 [[nodiscard]] Expected<TestFile> readExpectations(std::string_view content, const std::string& file,
                                                   const KnownNames& known = {});
+
+// The same of a document that has been parsed; its other sections are the caller's.
+[[nodiscard]] Expected<TestFile> readExpectations(const TomlValue& document, const std::string& file,
+                                                  const KnownNames& known, const ReadRules& rules);
+
+// Every *.toml of a folder, sorted by name, or the one file. Fails when there is none.
+[[nodiscard]] Expected<std::vector<std::filesystem::path>> tomlFiles(const std::filesystem::path& path,
+                                                                     const std::string& attempted);
 
 // Every *.toml of a folder, sorted by name, or one file. Fails when there is none, and when two files have
 // the same id.

@@ -1,5 +1,6 @@
 #include "check/read_metric_keys.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,9 @@ void readTrueClasses(FieldReader& fields, const MetricRow& metric_row, Expectati
 
 void readMetricKeys(FieldReader& fields, const MetricRow& metric_row, const TestFile& test,
                     Expectation& expectation) {
-  expectation.percentile = fields.number("percentile", 0.0, 100.0).value_or(100.0);
+  const std::optional<double> percentile = fields.number("percentile", 0.0, 100.0);
+  expectation.percentile = percentile.value_or(expectation.percentile);
+  expectation.has_percentile = percentile.has_value();
   expectation.margin = fields.number("margin", 0.0, 10.0).value_or(expectation.margin);
   static const std::vector<std::string> record_fields = {"texel", "px", "t_m", "class", "lookups", "steps"};
   expectation.ignore = fields.optionalTexts("ignore");
@@ -56,8 +59,10 @@ void readMetricKeys(FieldReader& fields, const MetricRow& metric_row, const Test
     fields.complain("metric", fmt::format("the metric '{}' needs timings", metric_row.name),
                     "add rounds = 15 to [test]");
   }
-  if (metric_row.metric == Metric::kPassCpuShare) {
+  if (metric_row.metric == Metric::kPassCpuShare || metric_row.metric == Metric::kPassCpuLead) {
     expectation.passes = fields.texts("passes");
+  }
+  if (metric_row.metric == Metric::kPassCpuShare) {
     expectation.over = fields.texts("over");
   }
 }

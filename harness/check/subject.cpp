@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "check/read_expect_section.h"
+#include "check/size_text.h"
 
 namespace ssrkit {
 

@@ -11,6 +11,7 @@ KitPaths kitPaths() {
           .shaders = root / "shaders",
           .scenes = root / "scenes",
           .expectations = root / "tests" / "expect",
+          .claims = root / "tests" / "claims",
           .build = SSRKIT_BUILD_DIR};
 }
 

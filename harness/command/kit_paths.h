@@ -10,6 +10,7 @@ struct KitPaths {
   std::filesystem::path shaders;
   std::filesystem::path scenes;
   std::filesystem::path expectations;
+  std::filesystem::path claims;
   std::filesystem::path build;  // where the unit tests are
 };
 

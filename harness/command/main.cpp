@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "base/text.h"
+#include "command/compare.h"
 #include "command/compile.h"
 #include "command/devices.h"
 #include "command/interrupt.h"
@@ -78,6 +79,17 @@ void addTest(CLI::App& app, TestOptions& options, Command& command) {
   test->callback([&] { command = [&] { return testCommand(options); }; });
 }
 
+void addCompare(CLI::App& app, CompareOptions& options, Command& command) {
+  CLI::App* compare =
+      app.add_subcommand("compare", "Put what people say of reflections to the test, claim by claim");
+  compare->add_option("--claim", options.claims, "A claim by name (default: all of them)");
+  compare->add_option("--device", options.devices, "A device of `ssrkit devices`")->capture_default_str();
+  compare->add_option("--out", options.out, "The folder for claims.json and report.html")->capture_default_str();
+  compare->add_flag("--list", options.list, "Print the claims instead of measuring them");
+  compare->add_flag("--json", options.json, "Print claims.json instead of the text");
+  compare->callback([&] { command = [&] { return compareCommand(options); }; });
+}
+
 void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command) {
   CLI::App* compile =
       app.add_subcommand("compile", "Show what the compiler says about one shader, for both APIs");
@@ -142,14 +154,17 @@ int commandLine(int argc, char** argv) {
   const std::vector<std::string> command_line(argv, argv + argc);
   RunOptions run;
   TestOptions test;
+  CompareOptions compare;
   CompileCommandOptions compile;
   bool devices_json = false;
   run.command = command_line;
   run.command.front() = "./ssrkit";
   test.command = run.command;
+  compare.command = run.command;
   Command command;
   addRun(app, run, command);
   addTest(app, test, command);
+  addCompare(app, compare, command);
   addDevices(app, devices_json, command);
   addCompile(app, compile, command);
   try {

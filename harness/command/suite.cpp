@@ -20,7 +20,7 @@ namespace {
 
 bool needsOracle(const TestFile& test) {
   return std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
-    return expectation.truth.kind == TruthKind::kOracle || expectation.metric == Metric::kConvergence ||
+    return expectation.truth.kind == TruthKind::kOracle || row(expectation.metric).needs_oracle ||
            expectation.truth.kind == TruthKind::kGeometry;
   });
 }

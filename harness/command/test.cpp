@@ -12,13 +12,11 @@
 #include "check/outcome.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
+#include "command/known_names.h"
 #include "command/print_checks.h"
 #include "command/progress_line.h"
 #include "command/suite.h"
 #include "command/unit_tests.h"
-#include "frame/frames.h"
-#include "frame/stages.h"
-#include "frame/techniques.h"
 #include "report/results_json.h"
 #include "scene/find_scene.h"
 
@@ -29,20 +27,7 @@ namespace {
 constexpr const char* kStandard = "standard";  // applies to every `run`; by itself it has nothing to run on
 
 Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, const KitPaths& paths) {
-  KnownNames known{.scenes = builtInScenes(paths.scenes)};
-  for (const DeviceEntry& entry : deviceEntries()) {
-    known.devices.push_back(entry.id);
-  }
-  for (const Stage& stage : stages()) {
-    known.stages.push_back(stage.name);
-  }
-  for (const FrameKind& kind : frameKinds()) {
-    known.frames.push_back(kind.name);
-  }
-  for (const Technique& technique : techniques()) {
-    known.techniques.push_back(technique.name);
-  }
-  auto files = loadExpectations(paths.expectations, known);
+  auto files = loadExpectations(paths.expectations, knownNames(paths));
   if (files) {
     std::erase_if(*files, [&](const TestFile& file) {
       return file.id == kStandard || fnmatch(options.filter.c_str(), file.id.c_str(), 0) != 0;

@@ -35,7 +35,7 @@ class Commands(CommandLineTest):
         self.assert_refused(self.ssrkit("run", "--scene"), "--scene")
 
     def test_help_of_each_command(self):
-        for command in ([], ["run"], ["test"], ["devices"], ["compile"]):
+        for command in ([], ["run"], ["test"], ["compare"], ["devices"], ["compile"]):
             with self.subTest(command):
                 result = self.ssrkit(*command, "--help")
                 self.assert_exit(0, result)

@@ -107,7 +107,7 @@ def read_json(path):
 
 
 def check_whole(path):
-    """Raises unless the file is a whole EXR, PNG, JSON or TOML file."""
+    """Raises unless the file is a whole EXR, PNG, JSON, TOML or HTML file."""
     if path.endswith(".exr"):
         exr.read(path)
     elif path.endswith(".json"):
@@ -115,6 +115,10 @@ def check_whole(path):
     elif path.endswith(".toml"):
         with open(path, "rb") as file:
             tomllib.load(file)
+    elif path.endswith(".html"):
+        with open(path) as file:
+            if not file.read().endswith("</html>\n"):
+                raise ValueError(f"{path}: its end is missing")
     elif path.endswith(".png"):
         check_png(path)
     else:

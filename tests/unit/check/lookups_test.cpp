@@ -52,5 +52,42 @@ TEST(Lookups, RatiosAndGrowthAreOfTheMeans) {
   EXPECT_EQ(outcomeName(bench.check(ratio("13"))), "error");
 }
 
+// 200 rays: as many hits as misses but for `misses`, at 10 lookups a hit and 25 a miss.
+RayRecord hitsAndMisses(std::size_t misses) {
+  RayRecord record = shiftedRecord({20, 10});
+  for (std::size_t i = 0; i < misses; ++i) {
+    record.rays[i] = without(i % 2 == 0 ? RayClass::kOffscreen : RayClass::kRange, 25);
+  }
+  return record;
+}
+
+TEST(MissLookupRatio, IsTheMeanOfMissesOverTheMeanOfHits) {
+  Bench bench;
+  bench.add("hiz", hitsAndMisses(100));
+  const CheckResult check = bench.check(expectation("metric = \"miss_lookup_ratio\"\nmin = 2.5"));
+  EXPECT_EQ(check.value, 2.5);
+  EXPECT_EQ(outcomeName(check), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"miss_lookup_ratio\"\nmin = 2.6"))), "fail");
+}
+
+TEST(MissLookupRatio, CountsNoRayThatNeverStarted) {
+  Bench bench;
+  RayRecord record = hitsAndMisses(101);
+  record.rays[0] = without(RayClass::kIntoSurface, 0);
+  Answer& answer = bench.add("hiz", record);
+  EXPECT_EQ(bench.check(expectation("metric = \"miss_lookup_ratio\"\nmin = 1")).compared, 199U)
+      << answer.stage;
+}
+
+TEST(MissLookupRatio, SaysNothingByAHandfulOfRays) {
+  Bench bench;
+  bench.add("hiz", hitsAndMisses(3));
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"miss_lookup_ratio\"\nmin = 1"))), "inconclusive");
+  Bench without_misses;
+  without_misses.add("hiz", hitsAndMisses(0));
+  EXPECT_EQ(outcomeName(without_misses.check(expectation("metric = \"miss_lookup_ratio\"\nmin = 1"))),
+            "error");
+}
+
 }  // namespace
 }  // namespace ssrkit

@@ -98,6 +98,27 @@ TEST(VerdictCount, OnlyTheNamedVerdictsCount) {
   EXPECT_NE(result.message.find("NEAR 2"), std::string::npos) << result.message;
 }
 
+TEST(VerdictGain, IsTheShareThatTheOtherLacks) {
+  Bench bench;
+  RayRecord worse = shiftedRecord({8, 8});
+  for (std::size_t i = 0; i < 16; ++i) {
+    worse.rays[i].texel_x += 1;
+  }
+  bench.setWorld(bench.add("hiz", shiftedRecord({8, 8})), 5.0F);
+  bench.setWorld(bench.add("walk", worse), 5.0F);
+  for (Answer& answer : bench.answers) {
+    bench.setOracle(answer, shiftedRecord({8, 8}));
+  }
+  const std::string gain =
+      "metric = \"verdict_gain\"\nverdicts = [\"SAME\"]\nstages = [\"hiz\"]\ntruth = \"stage:walk\"\n";
+  const CheckResult check = bench.check(expectation(gain + "min = 0.25"));
+  EXPECT_EQ(check.value, 0.25);
+  EXPECT_EQ(outcomeName(check), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(gain + "min = 0.26"))), "fail");
+  bench.answers[1].oracle = nullptr;
+  EXPECT_EQ(outcomeName(bench.check(expectation(gain + "min = 0"))), "error");
+}
+
 TEST(HitPosition, TheLargestOrAPercentileOfTheDistance) {
   AgainstOracle bench;
   bench.ray(3).px_x += 0.25F;

@@ -150,5 +150,36 @@ TEST(CpuRatio, TooFewRoundsAreInconclusiveAndUnequalOnesAnError) {
   EXPECT_EQ(outcomeName(bench.check(ratio)), "error");
 }
 
+TEST(PassCpuLead, IsOverTheCostliestOtherPass) {
+  Bench bench;
+  const auto rounds_of = [](double ns) { return samples(std::vector<double>(15, ns)); };
+  bench.add("hiz", shiftedRecord({8, 8})).times = {
+      {"trace", rounds_of(80.0)}, {"light", rounds_of(20.0)}, {"gbuffer", rounds_of(40.0)}};
+  const std::string lead = "metric = \"pass_cpu_lead\"\npasses = [\"trace\"]\nstages = [\"hiz\"]\n";
+  const CheckResult check = bench.check(expectation(lead + "min = 2\nmax = 2"));
+  EXPECT_EQ(check.value, 2.0);
+  EXPECT_EQ(outcomeName(check), "pass");
+  EXPECT_EQ(check.interval, (std::pair{2.0, 2.0}));
+  EXPECT_NE(check.remark.find("over 'gbuffer'"), std::string::npos) << check.remark;
+  EXPECT_EQ(outcomeName(bench.check(expectation(lead + "min = 3"))), "fail");
+}
+
+TEST(PassCpuLead, NeedsAnotherPass) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord({8, 8})).times = {{"trace", samples(std::vector<double>(15, 1.0))}};
+  EXPECT_EQ(outcomeName(bench.check(expectation(
+                "metric = \"pass_cpu_lead\"\npasses = [\"trace\"]\nstages = [\"hiz\"]\nmin = 1"))),
+            "error");
+}
+
+TEST(PassCpuShare, MayTakeAllPasses) {
+  Bench bench;
+  const auto rounds_of = [](double ns) { return samples(std::vector<double>(15, ns)); };
+  bench.add("hiz", shiftedRecord({8, 8})).times = {{"trace", rounds_of(80.0)}, {"light", rounds_of(20.0)}};
+  const CheckResult check = bench.check(expectation(
+      "metric = \"pass_cpu_share\"\npasses = [\"trace\"]\nover = [\"all\"]\nstages = [\"hiz\"]\nmax = 0.8"));
+  EXPECT_EQ(check.value, 0.8);
+}
+
 }  // namespace
 }  // namespace ssrkit
