@@ -57,14 +57,21 @@ void add_ray(Receiver receiver, vec2 uv, inout Sums sums) {
   if (end.a < 0.0 || density.x <= 0.0) {
     return;
   }
-  vec3 direction = end.a > 0.0 ? ordered_normalize(end.xyz - receiver.p_view) : end.xyz;
+  bool is_hit = end.a > 0.0;
+  vec3 to_end = is_hit ? end.xyz - receiver.p_view : end.xyz;
+  float length_m = max(sqrt(ordered_dot(to_end, to_end)), 1e-6);
+  vec3 direction = to_end / length_m;
   vec3 to_light = to_frame(receiver.frame, direction);
   float weight = lobe_times_cosine(receiver.to_eye, to_light, receiver.alpha) / density.x;
+  // Farther from the end than the neighbour, this pixel would have drawn that direction more densely: by the square of
+  // the lengths. Nothing counts more for being nearer: a ray of a millimetre, into the surface beside it, says nothing.
+  float nearness = is_hit ? min(end.a / length_m, 1.0) : 1.0;
+  weight *= nearness * nearness;
   float cosine = sqrt(clamp(0.5 + 0.5 * ordered_dot(receiver.to_eye, to_light), 0.0, 1.0));
-  vec3 reflectance = hits_only == 1 ? vec3(end.a) : fresnel_schlick(receiver.f0, cosine);
+  vec3 reflectance = hits_only == 1 ? vec3(is_hit) : fresnel_schlick(receiver.f0, cosine);
   vec3 radiance = reflectance * textureLod(ray_radiance, uv, 0.0).rgb;
   float luminance = ordered_dot(radiance, LUMINANCE);
-  sums.radiance += weight * vec4(radiance, end.a);
+  sums.radiance += weight * vec4(radiance, is_hit);
   sums.weight += weight;
   sums.weight_2 += weight * weight;
   sums.luminance += weight * luminance;
@@ -87,8 +94,8 @@ void main() {
   vec3 f0 = fresnel_f0(texelFetch(albedo, texel, 0).rgb, surface.r);
   if (texelFetch(ray_density, texel, 0).x == 0.0) {
     vec4 own = texelFetch(ray_radiance, texel, 0);
-    vec3 reflectance = hits_only == 1 ? vec3(own_end.a) : fresnel_schlick(f0, own.a);
-    reflection = vec4(reflectance * own.rgb, own_end.a);
+    float is_hit = float(own_end.a > 0.0);
+    reflection = vec4((hits_only == 1 ? vec3(is_hit) : fresnel_schlick(f0, own.a)) * own.rgb, is_hit);
     return;
   }
   vec3 from_pinhole = vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0);
