@@ -8,9 +8,10 @@
 //      dist_view  metres (background: +inf, by the clear)
 //      motion     pixels: p_px now minus p_px of the same surface point in the previous frame; +inf where the point was
 //                 not before the near plane then (background: 0, by the clear)
-// A material is one row of material_table: base colour; metallic, roughness, mirror, alpha cutoff (negative: opaque);
-// emissive, normal scale; has base colour, metallic-roughness, normal, emissive texture; double-sided.
+// A material is one row of material_table: base colour; metallic, roughness, flags (material_flags.glsl), alpha cutoff
+// (negative: opaque); emissive, normal scale.
 #version 450
+#include "material_flags.glsl"
 #include "ssr_motion.glsl"
 #include "ssr_ordered.glsl"
 
@@ -54,21 +55,23 @@ void main() {
   vec4 base_colour = texelFetch(material_table, ivec2(0, row), 0);
   vec4 surface = texelFetch(material_table, ivec2(1, row), 0);
   vec4 emissive_and_scale = texelFetch(material_table, ivec2(2, row), 0);
-  bvec4 has_texture = greaterThan(texelFetch(material_table, ivec2(3, row), 0), vec4(0.0));
-  bool is_double_sided = texelFetch(material_table, ivec2(4, row), 0).x > 0.0;
 
   float side = ordered_dot(face_normal_view, p_view) > 0.0 ? -1.0 : 1.0;
-  vec4 sampled_colour = has_texture.x ? base_colour * texture(base_colour_texture, uv) : base_colour;
-  if ((side < 0.0 && !is_double_sided) || sampled_colour.a < surface.a) {
+  bool has_colour_texture = material_has(surface, MATERIAL_BASE_COLOUR_TEXTURE);
+  vec4 sampled_colour = has_colour_texture ? base_colour * texture(base_colour_texture, uv) : base_colour;
+  if ((side < 0.0 && !material_has(surface, MATERIAL_DOUBLE_SIDED)) || sampled_colour.a < surface.a) {
     discard;
   }
-  vec3 normal = shading_normal(side, emissive_and_scale.a, has_texture.z);
+  vec3 normal = shading_normal(side, emissive_and_scale.a, material_has(surface, MATERIAL_NORMAL_TEXTURE));
   vec3 reflected = ordered_reflect(ordered_normalize(p_view), normal);
-  vec4 roughness_metal = has_texture.y ? texture(metallic_roughness_texture, uv) : vec4(1.0);
+  bool has_metal_texture = material_has(surface, MATERIAL_METALLIC_ROUGHNESS_TEXTURE);
+  vec4 roughness_metal = has_metal_texture ? texture(metallic_roughness_texture, uv) : vec4(1.0);
   albedo = vec4(sampled_colour.rgb, 1.0);
   normal_and_clearance = vec4(normal, ordered_dot(reflected, side * face_normal_view));
-  material = vec4(surface.x * roughness_metal.b, surface.y * roughness_metal.g, surface.z, 1.0);
-  emission = vec4(emissive_and_scale.rgb * (has_texture.w ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
+  float mirror = material_has(surface, MATERIAL_MIRROR) ? 1.0 : 0.0;
+  material = vec4(surface.x * roughness_metal.b, surface.y * roughness_metal.g, mirror, 1.0);
+  bool has_emissive_texture = material_has(surface, MATERIAL_EMISSIVE_TEXTURE);
+  emission = vec4(emissive_and_scale.rgb * (has_emissive_texture ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
   dist_view = -p_view.z;
   motion = motion_px(p_view, p_previous_view, px_scale_and_near.xy, px_scale_and_near.z);
 }

@@ -4,6 +4,7 @@
 // triangle is there from its front only, a double-sided one from both sides. So a room's inward-facing wall lets light in
 // from outside, as it lets the camera look in. All three corners of a triangle that is not there go outside the map.
 #version 450
+#include "material_flags.glsl"
 
 layout(std140, binding = 0) uniform ShadowMapBlock {
   mat4 light_from_world;
@@ -32,9 +33,10 @@ void main() {
   // Light space's y grows as the map's rows do, and row 0 is the rasteriser's y = -1 on every API: no flip.
   gl_Position = vec4(2.0 * map_px / shadow_side_texels - 1.0, (p_light.z - shadow_near_m) / shadow_range_m, 1.0);
   int row = int(in_material_index);
-  alpha = vec3(texelFetch(material_table, ivec2(0, row), 0).a, texelFetch(material_table, ivec2(1, row), 0).a,
-               texelFetch(material_table, ivec2(3, row), 0).x);
-  bool is_double_sided = texelFetch(material_table, ivec2(4, row), 0).x > 0.0;
+  vec4 surface = texelFetch(material_table, ivec2(1, row), 0);
+  alpha = vec3(texelFetch(material_table, ivec2(0, row), 0).a, surface.a,
+               material_has(surface, MATERIAL_BASE_COLOUR_TEXTURE) ? 1.0 : 0.0);
+  bool is_double_sided = material_has(surface, MATERIAL_DOUBLE_SIDED);
   bool faces_light = (mat3(light_from_world) * in_face_normal_world).z < 0.0;
   if (!faces_light && !is_double_sided) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

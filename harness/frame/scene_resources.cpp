@@ -9,7 +9,7 @@ namespace ssrkit {
 namespace {
 
 constexpr std::size_t kMaxLights = 8;  // of each kind, as in shaders/light.frag
-constexpr int kMaterialColumns = 5;
+constexpr int kMaterialColumns = 3;
 
 struct TextureSlot {
   std::string sampler;
@@ -51,19 +51,23 @@ Expected<std::unique_ptr<DeviceImage>> uploadBytes(Device& device, const ImageDe
   return image;
 }
 
+// The bits of shaders/include/material_flags.glsl.
+float materialFlags(const Material& m) {
+  const auto bit = [](bool is_set, int position) { return is_set ? 1 << position : 0; };
+  return static_cast<float>(bit(m.mirror, 0) + bit(m.base_colour_texture >= 0, 1) +
+                            bit(m.metallic_roughness_texture >= 0, 2) + bit(m.normal_texture >= 0, 3) +
+                            bit(m.emissive_texture >= 0, 4) + bit(m.double_sided, 5));
+}
+
 std::vector<float> materialRows(const Scene& scene) {
   std::vector<float> rows;
   rows.reserve(scene.materials.size() * kMaterialColumns * 4);
   for (const Material& m : scene.materials) {
     const bool is_opaque = m.alpha_mode == AlphaMode::kOpaque;
     const float cutoff = is_opaque ? -1.0F : m.alpha_mode == AlphaMode::kBlend ? 0.5F : m.alpha_cutoff;
-    const auto has = [](int texture) { return texture >= 0 ? 1.0F : 0.0F; };
     rows.insert(rows.end(), {m.base_colour.r, m.base_colour.g, m.base_colour.b, m.base_colour.a});
-    rows.insert(rows.end(), {m.metallic, m.roughness, m.mirror ? 1.0F : 0.0F, cutoff});
+    rows.insert(rows.end(), {m.metallic, m.roughness, materialFlags(m), cutoff});
     rows.insert(rows.end(), {m.emissive.r, m.emissive.g, m.emissive.b, m.normal_scale});
-    rows.insert(rows.end(), {has(m.base_colour_texture), has(m.metallic_roughness_texture),
-                             has(m.normal_texture), has(m.emissive_texture)});
-    rows.insert(rows.end(), {m.double_sided ? 1.0F : 0.0F, 0.0F, 0.0F, 0.0F});
   }
   return rows;
 }
