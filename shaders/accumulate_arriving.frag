@@ -1,8 +1,8 @@
-// Adds what one sample's ray hit, weighed by as much of it as gets out of the surface, for a composite that knows Fresnel
-// and the environment itself.
+// Adds what one sample's ray hit, weighed by as much of it as gets out of the surface, for a composite that knows
+// Fresnel and the environment itself.
 //
-// In:  hit_texel, lit, microfacet_normal, normal_view, material, dist_view; reflected_sum and weight_sum of the samples so
-//      far, read from the second sample on.
+// In:  hit_texel, lit, microfacet_normal, normal_view, material, dist_view; reflected_sum and weight_sum of the samples
+//      so far, read from the second sample on.
 // Out: reflected_sum_next, rgb weighed radiance hit, a the weight of the rays that hit; weight_sum_next, that of all.
 #version 450
 #include "microfacet.glsl"

@@ -1,7 +1,7 @@
 // The mean of what a pixel's rays hit.
 //
-// In:  reflected_sum, weight_sum (accumulate_arriving.frag). Out: reflection, rgb mean radiance hit, 0 without any hit; a
-//      the hits' share of the weight.
+// In:  reflected_sum, weight_sum (accumulate_arriving.frag). Out: reflection, rgb mean radiance hit, 0 without any hit;
+//      a the hits' share of the weight.
 #version 450
 
 layout(binding = 1) uniform sampler2D reflected_sum;

@@ -1,5 +1,5 @@
-// Sorts the reflective pixels before the trace: mirrors get their one exact ray, glossy surfaces one at a sampled visible
-// microfacet, and surfaces too rough for a single ray to say anything none, so they cost no lookup.
+// Sorts the reflective pixels before the trace: mirrors get their one exact ray, glossy surfaces one at a sampled
+// visible microfacet, and surfaces too rough for a single ray to say anything none, so they cost no lookup.
 //
 // In:  normal_view, material (g roughness, b 1 where rays are traced), blue_noise; max_traced_roughness.
 // Out: microfacet_normal, in the layout of normal_view; ray_material, material with b = 0 where no ray is traced.

@@ -2,9 +2,10 @@
 //
 // In:  reflection and reflection_variance under the names unfiltered and unfiltered_variance; dist_view, normal_view,
 //      material; spacing_px between the filter's 3 x 3 taps. Out: reflection, reflection_variance after it.
-// One level of an edge-avoiding a-trous filter: Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform for fast Global
-// Illumination Filtering", HPG 2010; differences of luminance are measured in standard deviations as in Schied et al.,
-// "Spatiotemporal Variance-Guided Filtering", HPG 2017, section 4.4. Without variance nothing is smoothed: mirrors stay.
+// One level of an edge-avoiding a-trous filter: Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform for fast
+// Global Illumination Filtering", HPG 2010; differences of luminance are measured in standard deviations as in Schied
+// et al., "Spatiotemporal Variance-Guided Filtering", HPG 2017, section 4.4. Without variance nothing is smoothed:
+// mirrors stay.
 #version 450
 #include "ray_reuse.glsl"
 

@@ -3,8 +3,10 @@
 // In:  hit_texel, hit_point (t_m), lit; dist_view, normal_view, microfacet_normal, material.
 // Out: ray_end      xyz where the ray ended, view space, metres; a its length, metres. Without a hit xyz its direction,
 //                   a 0; nothing reflective: a -1, and the others 0
-//      ray_radiance rgb what arrives along it: the lit texel hit, else the sky; a Fresnel's cosine, of eye and microfacet
-//      ray_density  x density it was drawn with, per steradian, 0 for a mirror's ray; y share of it that gets out, G2 / G1
+//      ray_radiance rgb what arrives along it: the lit texel hit, else the sky; a Fresnel's cosine, of eye and
+//                   microfacet
+//      ray_density  x density that it was drawn with, per steradian, 0 for a mirror's ray; y share of it that gets out,
+//                   G2 / G1
 // A surface too rough to be traced looks like one whose ray met nothing: the sky stands in.
 #version 450
 #include "ray_reuse.glsl"
@@ -62,7 +64,8 @@ void main() {
   ray_end = is_hit ? vec4(origin + t_m * direction, max(t_m, 1e-6)) : vec4(direction, 0.0);
   vec3 arriving = is_hit ? texelFetch(lit, hit, 0).rgb : sky;
   bool is_alone = is_mirror(surface.g);  // a mirror's ray is no sample, and nobody else uses it
-  ray_radiance = vec4(is_alone ? arriving : without_sparks(arriving), clamp(-ordered_dot(from_eye, microfacet), 0.0, 1.0));
+  float cosine = clamp(-ordered_dot(from_eye, microfacet), 0.0, 1.0);
+  ray_radiance = vec4(is_alone ? arriving : without_sparks(arriving), cosine);
   mat3 frame = frame_about(normal);
   vec3 to_eye = to_frame(frame, -from_eye);
   vec3 to_light = to_frame(frame, direction);

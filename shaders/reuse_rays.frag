@@ -1,12 +1,12 @@
 // Reflected radiance of each pixel from its own ray and those of its eight neighbours (ray_reuse.glsl).
 //
 // In:  ray_end, ray_radiance, ray_density (ray_ends.frag); dist_view, normal_view, albedo, material.
-// Out: reflection, rgb radiance towards the eye, a share of the weight on rays that hit; reflection_variance, x variance
-//      of the luminance of rgb as the spread of the rays tells it, 0 for mirrors.
-// With hits_only rgb is the radiance hit that arrives, multiplied by a: neither Fresnel nor the sky nor the lobe's size is
-// in it, for a composite that has these itself.
-// The ratio of sums has the lobe's shape; its size, the share of a white environment that the lobe reflects, is the mean
-// of the rays' G2 / G1, which hardly differs among neighbours.
+// Out: reflection, rgb radiance towards the eye, a share of the weight on rays that hit; reflection_variance, x
+//      variance of the luminance of rgb as the spread of the rays tells it, 0 for mirrors.
+// With hits_only rgb is the radiance hit that arrives, multiplied by a: neither Fresnel nor the sky nor the lobe's size
+// is in it, for a composite that has these itself.
+// The ratio of sums has the lobe's shape; its size, the share of a white environment that the lobe reflects, is the
+// mean of the rays' G2 / G1, which hardly differs among neighbours.
 #version 450
 #include "ray_reuse.glsl"
 

@@ -28,5 +28,6 @@ void main() {
   vec2 mask = texelFetch(blue_noise, texel & (BLUE_NOISE_SIDE - 1), 0).xy;
   vec2 turn = frame_turn(mask, frame_index);
   vec2 point = pixel_point(texel, sample_index, sample_count, point_set, turn);
-  microfacet_normal = microfacet_of(texelFetch(normal_view, texel, 0), from_eye, texelFetch(material, texel, 0).g, point);
+  float roughness = texelFetch(material, texel, 0).g;
+  microfacet_normal = microfacet_of(texelFetch(normal_view, texel, 0), from_eye, roughness, point);
 }

@@ -5,8 +5,8 @@
 //   POINTS_HAMMERSLEY        the Hammersley set of sample_count points, turned by a hash of the pixel
 //   POINTS_HAMMERSLEY_BLUE   the same set, turned by the pixel's value of a mask of blue noise, which differs from its
 //                            neighbours' as much as it can, so that what error is left goes away under a small blur
-// Hash: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3) 2020, pcg3d. Rotation: Cranley and Patterson,
-// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM J. Numer. Anal. 13(6) 1976.
+// Hash: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3) 2020, pcg3d. Rotation: Cranley and
+// Patterson, "Randomization of Number Theoretic Methods for Multiple Integration", SIAM J. Numer. Anal. 13(6) 1976.
 #ifndef RANDOM_GLSL
 #define RANDOM_GLSL
 
@@ -44,7 +44,9 @@ float radical_inverse_2(uint index) {
 }
 
 // Point `index` of `count`. The half keeps point 0 off the square's edge.
-vec2 hammersley(int index, int count) { return vec2((float(index) + 0.5) / float(count), radical_inverse_2(uint(index))); }
+vec2 hammersley(int index, int count) {
+  return vec2((float(index) + 0.5) / float(count), radical_inverse_2(uint(index)));
+}
 
 // `by` moved on for each frame by the additive sequence of the plastic number, which covers the square evenly
 // (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018). Frame 0 changes no bit.

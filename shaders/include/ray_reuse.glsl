@@ -1,9 +1,10 @@
 // What a pixel may take from its neighbours' rays, and how much each counts.
 //
-// A neighbour's ray ends where it ends for this pixel too, seen along another direction. As a sample of this pixel's own
-// integral it counts brdf * cosine here over the density that the neighbour drew it with; divided by the sum of these
-// weights the noise that brdf / density brings cancels (Stachowiak, "Stochastic Screen-Space Reflections", SIGGRAPH 2015
-// course Advances in Real-Time Rendering, slides on "Ray reuse": a ratio estimator, biased by what it cancels).
+// A neighbour's ray ends where it ends for this pixel too, seen along another direction. As a sample of this pixel's
+// own integral it counts brdf * cosine here over the density that the neighbour drew it with; divided by the sum of
+// these weights the noise that brdf / density brings cancels (Stachowiak, "Stochastic Screen-Space Reflections",
+// SIGGRAPH 2015 course Advances in Real-Time Rendering, slides on "Ray reuse": a ratio estimator, biased by what it
+// cancels).
 #ifndef RAY_REUSE_GLSL
 #define RAY_REUSE_GLSL
 

@@ -2,10 +2,11 @@
 //
 // Reflecting the viewing direction at such a normal draws directions for which the estimator of reflected radiance,
 // brdf * cosine / density, is Fresnel * G2 / G1, which lies in 0..1.
-// Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4) 2018, section 3: stretch the view by alpha, sample
-// the visible hemisphere of the unit sphere, stretch back. The hemisphere by Dupuy and Benyoub, "Sampling Visible GGX
-// Normals with Spherical Caps", CGF 42(8) 2023: a point of the cap about the view, added to the view, is the half vector.
-// Nothing here leaves a driver a choice (ssr_ordered.glsl, unit_circle), so every device traces the same rays.
+// Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4) 2018, section 3: stretch the view by alpha,
+// sample the visible hemisphere of the unit sphere, stretch back. The hemisphere by Dupuy and Benyoub, "Sampling
+// Visible GGX Normals with Spherical Caps", CGF 42(8) 2023: a point of the cap about the view, added to the view, is
+// the half vector. Nothing here leaves a driver a choice (ssr_ordered.glsl, unit_circle), so every device traces the
+// same rays.
 #ifndef SAMPLE_GGX_GLSL
 #define SAMPLE_GGX_GLSL
 

@@ -21,5 +21,6 @@ void main() {
   vec3 from_eye = ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
   vec2 mask = texelFetch(blue_noise, texel & (BLUE_NOISE_SIDE - 1), 0).xy;
   vec2 point = pixel_point(texel, 0, sample_count, point_set, mask);
-  microfacet_normal = microfacet_of(texelFetch(normal_view, texel, 0), from_eye, texelFetch(material, texel, 0).g, point);
+  float roughness = texelFetch(material, texel, 0).g;
+  microfacet_normal = microfacet_of(texelFetch(normal_view, texel, 0), from_eye, roughness, point);
 }
