@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace ssrkit {
 
@@ -91,9 +90,10 @@ ShadowProjection fitShadow(const glm::dvec3& direction_world, const WorldBounds&
     end_m /= kSliceRatio;
     ends_m.push_back(std::max(end_m, camera.near_m));
   }
+  std::ranges::reverse(ends_m);
   const glm::dmat4 light_from_view = fit.light_from_world * glm::inverse(camera.view_from_world);
   double from_m = camera.near_m;
-  for (const double to_m : ends_m | std::views::reverse) {
+  for (const double to_m : ends_m) {
     const Sphere sphere = sliceSphere(camera, from_m, to_m);
     const glm::dvec2 centre(light_from_view * glm::dvec4(sphere.centre_view, 1.0));
     fit.cascades.push_back(fitCascade(centre, sphere.radius_m, in_light));

@@ -1,88 +1,14 @@
 // The shadow map and the shadow pass over scenes whose shadows can be worked out by hand.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 
-#include "frame/gbuffer_source.h"
-#include "frame/shadow_map.h"
 #include "frame/shadow_projection.h"
-#include "pass_test.h"
-#include "plane_scene.h"
+#include "shadow_scene_test.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr double kHalfPi = std::numbers::pi / 2.0;
-
-Camera cameraAt(const glm::dvec3& position, double pitch_rad, Size size) {
-  Camera camera{.size = size,
-                .clip_from_view = perspective(2.0 * std::atan(0.5),
-                                              static_cast<double>(size.width) / size.height, 0.1, 100.0),
-                .view_from_world = glm::dmat4(1.0),
-                .near_m = 0.1,
-                .far_m = 100.0};
-  const double c = std::cos(pitch_rad);
-  const double s = std::sin(pitch_rad);
-  const glm::dmat3 world_from_view(glm::dvec3(1, 0, 0), glm::dvec3(0, c, s), glm::dvec3(0, -s, c));
-  const glm::dmat3 rotation = glm::transpose(world_from_view);
-  camera.view_from_world = glm::dmat4(rotation);
-  camera.view_from_world[3] = glm::dvec4(-(rotation * position), 1.0);
-  return camera;
-}
-
-// The way of light that comes from `elevation` over the horizon; azimuth 0 travels along -z.
-glm::dvec3 lightFrom(double elevation_deg, double azimuth_deg) {
-  const double e = elevation_deg * std::numbers::pi / 180.0;
-  const double a = azimuth_deg * std::numbers::pi / 180.0;
-  return {-std::cos(e) * std::sin(a), -std::sin(e), -std::cos(e) * std::cos(a)};
-}
-
-class ShadowTest : public PassTest {
- protected:
-  // Draws the G-buffer and the shadow map, and gives them to the pass.
-  void giveScene(const Scene& scene, const Camera& camera) {
-    begin();
-    size_ = camera.size;
-    setCameraUniforms(values_, camera);
-    setLightUniforms(values_, scene, camera.view_from_world);
-    const int cascade_count = setShadowUniforms(values_, scene, camera);
-    auto resources = uploadScene(*device_, scene);
-    ASSERT_TRUE(resources.has_value());
-    if (programs_ == nullptr) {
-      programs_ = std::make_unique<Programs>(*device_, target_);
-    }
-    const CompileSettings settings{.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders"};
-    const auto gbuffer = programs_->get(gbufferPass(), settings);
-    const auto map = shadowMapPrograms(*programs_, settings);
-    ASSERT_TRUE(gbuffer.has_value() && map.has_value());
-    FrameImages images(*device_, camera.size);
-    ASSERT_TRUE(drawGbuffer(*device_, **gbuffer, scene, *resources, images, values_).has_value());
-    const auto mapped = drawShadowMap(*device_, *map, cascade_count, scene, *resources, images, values_);
-    ASSERT_TRUE(mapped.has_value()) << sentence(mapped.error());
-    dist_view_ = *readImage(*device_, *images.find("dist_view"), {"Z"});
-    normal_view_ = *readImage(*device_, *images.find("normal_view"), {"R", "G", "B", "A"});
-    give("dist_view", dist_view_, Format::kR32f);
-    give("normal_view", normal_view_);
-    give("shadow_map", *readImage(*device_, *images.find("shadow_map"), {"Z"}), Format::kR32f);
-  }
-
-  [[nodiscard]] Image shadow(const std::string& shader = "shadow.frag") {
-    return PassTest::draw(shader, size_, Format::kR32f);
-  }
-
-  [[nodiscard]] bool isBackground(int x, int y) const { return std::isinf(dist_view_.at(x, y)); }
-  [[nodiscard]] glm::dvec3 normalView(int x, int y) const {
-    return {normal_view_.at(x, y, 0), normal_view_.at(x, y, 1), normal_view_.at(x, y, 2)};
-  }
-
-  Size size_;
-  Image dist_view_;
-  Image normal_view_;
-
- private:
-  std::unique_ptr<Programs> programs_;
-};
 
 // Of the finest cascade that holds the point and its filter: the shader's choice, in double precision.
 double texelAt(const ShadowProjection& fit, const glm::dvec3& p_world) {
@@ -97,11 +23,7 @@ double texelAt(const ShadowProjection& fit, const glm::dvec3& p_world) {
   return 0.0;
 }
 
-// "" when every pixel has the value, else how many have not.
-std::string allAre(const Image& shadow, float value) {
-  const auto count = std::ranges::count_if(shadow.data, [&](float lit) { return lit != value; });
-  return count == 0 ? "" : fmt::format("{} of {} pixels are not {}", count, shadow.data.size(), value);
-}
+}  // namespace
 
 // As m1: an unpitched camera one metre over a floor. A screen four metres ahead, one metre high, is lit from
 // behind under 45 degrees: its upper edge, at the camera's height, throws its shadow's edge to three metres.
@@ -109,7 +31,7 @@ std::string allAre(const Image& shadow, float value) {
 // Across the edge the share of the 3 x 3 texels that is lit grows in a line from 0 at -1.5 texels to 1 at
 // +1.5, up to the half texel by which the map's own edge is off.
 TEST_P(ShadowTest, BeginsInItsRowOverAFloorWithinHalfATexel) {
-  const Camera camera = cameraAt({0, 0, 0}, 0.0, {64, 256});
+  const Camera camera = shadowCamera({0, 0, 0}, 0.0, {64, 256});
   const glm::dvec3 way = lightFrom(45, 180);
   PlaneScene planes(way);
   planes.floor(-1.0, 12.0).quad({{-3, -1, -4}, {3, -1, -4}, {3, 0, -4}, {-3, 0, -4}}, {.double_sided = true});
@@ -135,7 +57,7 @@ TEST_P(ShadowTest, BeginsInItsRowOverAFloorWithinHalfATexel) {
 }
 
 TEST_P(ShadowTest, ALitPlaneHasNoDarkPixelUnderAnyLight) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {160, 90});
+  const Camera camera = shadowCamera({0, 1.7, 3}, -0.25, {160, 90});
   for (const double elevation : {2.0, 5.0, 12.0, 35.0, 65.0, 90.0}) {
     for (const double azimuth : {17.0, 90.0, 250.0}) {
       PlaneScene planes(lightFrom(elevation, azimuth));
@@ -150,7 +72,7 @@ TEST_P(ShadowTest, ALitPlaneHasNoDarkPixelUnderAnyLight) {
 }
 
 TEST_P(ShadowTest, ASphereHasNoDarkPixelOnItsLitSide) {
-  const Camera camera = cameraAt({0, 0, 3}, 0.0, {160, 160});
+  const Camera camera = shadowCamera({0, 0, 3}, 0.0, {160, 160});
   for (const double azimuth : {0.0, 30.0, 60.0}) {
     const glm::dvec3 way = lightFrom(40, azimuth);
     giveScene(faceted(way, {0, 0, 0}, 0.5).scene(), camera);
@@ -173,7 +95,7 @@ TEST_P(ShadowTest, ASphereHasNoDarkPixelOnItsLitSide) {
 // A normal map bends the shading normal, not the surface: its slope against the light is the plane's. At the
 // floor's own edge, where a neighbour is missing, the shading normal is all there is.
 TEST_P(ShadowTest, ABentShadingNormalCastsNoShadow) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {160, 90});
+  const Camera camera = shadowCamera({0, 1.7, 3}, -0.25, {160, 90});
   PlaneScene planes(lightFrom(42, 17));
   giveScene(planes.floor(0.0, 15.0).scene(), camera);
   Image bent = normal_view_;
@@ -205,7 +127,7 @@ TEST_P(ShadowTest, ABentShadingNormalCastsNoShadow) {
 // begins at the foot, up to the bias of 0.53 / sin^2(45) texels along the light and half a texel of the map's
 // own edge.
 TEST_P(ShadowTest, ABoxIsNotDetachedFromItsShadow) {
-  const Camera camera = cameraAt({0, 0, 0}, 0.0, {64, 256});
+  const Camera camera = shadowCamera({0, 0, 0}, 0.0, {64, 256});
   const glm::dvec3 way = lightFrom(45, 180);
   PlaneScene planes(way);
   planes.floor(-1.0, 12.0).box({-1, -1, -4}, {1, 0, -3});
@@ -226,73 +148,6 @@ TEST_P(ShadowTest, ABoxIsNotDetachedFromItsShadow) {
   EXPECT_GT(seen, 20);
 }
 
-TEST_P(ShadowTest, LightAlongAPlaneAndWithinADegreeOfItGivesZero) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {97, 53});
-  for (const double elevation : {0.0, 0.5, 1.0, -10.0}) {
-    PlaneScene planes(lightFrom(elevation, 20));
-    giveScene(planes.floor(0.0, 15.0).scene(), camera);
-    const Image drawn = shadow();
-    for (int y = 0; y < 53; ++y) {
-      for (int x = 0; x < 97; ++x) {
-        ASSERT_EQ(drawn.at(x, y), isBackground(x, y) ? 1.0F : 0.0F) << x << ", " << y << " at " << elevation;
-      }
-    }
-  }
-}
-
-TEST_P(ShadowTest, TrianglesWithoutAreaAndNormalsWithoutLengthCastNothing) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {97, 53});
-  PlaneScene planes(lightFrom(50, 20));
-  planes.floor(0.0, 15.0);
-  planes.triangle({-1, 1, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}, {.double_sided = true});
-  planes.triangle({0, 1, -1}, {0, 1, -1}, {0, 1, -1}, {0, 0, 0}, {.double_sided = true});
-  giveScene(planes.scene(), camera);
-  EXPECT_EQ(allAre(shadow(), 1.0F), "");
-}
-
-TEST_P(ShadowTest, WhatCastsIsWhatTheLightWouldSee) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {97, 53});
-  const Quad facing_up{{-20, 3, 20}, {20, 3, 20}, {20, 3, -20}, {-20, 3, -20}};
-  const Quad facing_down{{-20, 3, -20}, {20, 3, -20}, {20, 3, 20}, {-20, 3, 20}};
-  Material cut{.alpha_mode = AlphaMode::kMask};
-  cut.base_colour.a = 0.25F;
-  const Material cut_by_texture{.alpha_mode = AlphaMode::kMask, .base_colour_texture = 0};
-  struct Case {
-    Quad quad;
-    Material material;
-    bool casts;
-  };
-  for (const Case& cover : {Case{facing_up, {}, true}, Case{facing_down, {}, false},
-                            Case{facing_down, {.double_sided = true}, true}, Case{facing_up, cut, false},
-                            Case{facing_up, cut_by_texture, false}}) {
-    PlaneScene planes(lightFrom(60, 20));
-    planes.floor(0.0, 15.0).quad(cover.quad, cover.material);
-    planes.scene().textures = {{.name = "hole", .size = {1, 1}, .rgba = {255, 255, 255, 0}}};
-    giveScene(planes.scene(), camera);
-    const Image drawn = shadow();
-    EXPECT_EQ(drawn.at(48, 40), cover.casts ? 0.0F : 1.0F);
-    EXPECT_EQ(drawn.at(20, 30), cover.casts ? 0.0F : 1.0F);
-  }
-}
-
-TEST_P(ShadowTest, WithoutADirectionalLightNothingIsInShadow) {
-  const Camera camera = cameraAt({0, 1.7, 3}, -0.25, {33, 17});
-  PlaneScene planes(lightFrom(60, 20));
-  planes.floor(0.0, 15.0).box({-2, 1, -2}, {2, 2, 2});
-  planes.scene().directional_lights.clear();
-  giveScene(planes.scene(), camera);
-  EXPECT_EQ(allAre(shadow(), 1.0F), "");
-}
-
-TEST_P(ShadowTest, ImagesOfAnySizeAreDrawn) {
-  for (const Size size : {Size{1, 1}, {3, 1}, {1, 5}, {7, 3}}) {
-    PlaneScene planes(lightFrom(60, 20));
-    giveScene(planes.floor(0.0, 40.0).scene(), cameraAt({0, 1.7, 3}, -kHalfPi / 2.0, size));
-    EXPECT_EQ(allAre(shadow(), 1.0F), "") << size.width << " x " << size.height;
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Each, ShadowTest, testing::Values("gl-osmesa", "vk-lavapipe"), deviceTestName);
 
-}  // namespace
 }  // namespace ssrkit
