@@ -100,7 +100,8 @@ const std::vector<FrameImageRow>& table() {
       {.name = "reflection_blurred_wide", .format = kRgba16f, .channels = rgba},
       {.name = "known", .format = kRgba16f, .has_mips = true},
       {.name = "reflection_filled", .format = kRgba16f, .channels = rgba},
-      // 32 bits: drivers round halves towards zero, and an average of averages would darken from frame to frame.
+      // 32 bits: drivers round halves towards zero, and an average of averages would darken from frame to
+      // frame.
       {.name = "accumulated", .format = kRgba32f, .channels = rgba},
       {.name = "history_length", .format = kR32f, .channels = {"Y"}},
       // The previous frame's. Without one nothing was seen: a surface at distance 0 is nobody's past.

@@ -16,9 +16,9 @@ inline constexpr std::size_t kMaxVertices = 20'000'000;  // of a scene, and elem
 [[nodiscard]] Expected<std::span<const std::uint8_t>> bytesOfView(const GltfDocument& document,
                                                                   int buffer_view, const std::string& place);
 
-// The accessor's elements one after the other, `components` floats each (1: SCALAR, 2..4: VEC2..VEC4). Integers become
-// the fractions they stand for where the accessor is normalised, plain values otherwise; sparse values are
-// put in.
+// The accessor's elements one after the other, `components` floats each (1: SCALAR, 2..4: VEC2..VEC4).
+// Integers become the fractions they stand for where the accessor is normalised, plain values otherwise;
+// sparse values are put in.
 [[nodiscard]] Expected<std::vector<float>> readFloats(const GltfDocument& document, int accessor,
                                                       int components, const std::string& place);
 
