@@ -42,7 +42,7 @@ float smith_visibility(float cos_light, float cos_view, float alpha) {
 // Based Rendering", SIGGRAPH 2014 course, section 3.2).
 float fresnel_f90(vec3 f0) { return min(50.0 * max(max(f0.r, f0.g), f0.b), 1.0); }
 
-// Single scattering loses 1 - (scale + bias) of a white environment, 68 % at most; light that leaves a microfacet to
+// Single scattering loses 1 - (scale + bias) of a white environment, 69 % at most; light that leaves a microfacet to
 // meet another comes back as more of the same lobe, so that F0 = 1 reflects all.
 vec3 multiple_scattering(vec3 f0, vec2 scale_bias) { return 1.0 + f0 * (1.0 / (scale_bias.x + scale_bias.y) - 1.0); }
 

@@ -106,6 +106,7 @@ TEST_F(Environment, ServesSeveralThreadsAtOnce) {
   std::vector<EnvironmentMaps> made(3);
   {
     std::vector<std::jthread> threads;
+    threads.reserve(made.size());
     for (EnvironmentMaps& each : made) {
       threads.emplace_back([&each] { each = maps(); });
     }
@@ -134,8 +135,8 @@ TEST_F(Environment, FromAFileShowsWhatStandsThere) {
   ASSERT_TRUE(writeExr(source.file, image));
   const EnvironmentMaps made = maps(source);
   const auto texel = [&](int x, int y, int channel) {
-    const auto at = static_cast<std::size_t>(4 * (y * made.mips[0].side + x) + channel);
-    return glm::unpackHalf1x16(made.mips[0].rgba[at]);
+    const std::size_t at = static_cast<std::size_t>(y) * 512 + static_cast<std::size_t>(x);
+    return glm::unpackHalf1x16(made.mips[0].rgba[4 * at + static_cast<std::size_t>(channel)]);
   };
   ASSERT_EQ(made.mips[0].side, 512);
   EXPECT_EQ(texel(256, 256, 0), 2.0F);

@@ -13,6 +13,7 @@ std::vector<glm::vec3> randomDirections(int count) {
   std::mt19937 random(11);
   std::normal_distribution<float> normal;
   std::vector<glm::vec3> directions;
+  directions.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     directions.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
   }

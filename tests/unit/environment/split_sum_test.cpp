@@ -80,11 +80,15 @@ TEST(SplitSum, OfAMirrorIsSchlicksFresnel) {
 TEST(SplitSum, TableIsWithinItsStatedErrorBetweenItsEntries) {
   const std::vector<glm::vec2> table = splitSumTable();
   const auto entry = [&](int column, int row) {
-    return glm::dvec2(table[static_cast<std::size_t>(row * kSplitSumSide + column)]);
+    return glm::dvec2(
+        table[static_cast<std::size_t>(row) * kSplitSumSide + static_cast<std::size_t>(column)]);
   };
   double largest = 0.0;
-  for (double roughness = 0.02; roughness < 1.0; roughness += 0.0217) {
-    for (double cos_view = 0.02; cos_view < 1.0; cos_view += 0.0213) {
+  constexpr int kSteps = 46;  // between the entries, never on them for long
+  for (int j = 0; j < kSteps; ++j) {
+    for (int i = 0; i < kSteps; ++i) {
+      const double roughness = 0.02 + 0.98 * j / kSteps;
+      const double cos_view = 0.02 + 0.98 * i / kSteps;
       const double x = std::sqrt(cos_view) * (kSplitSumSide - 1);
       const double y = roughness * (kSplitSumSide - 1);
       const int column = static_cast<int>(x);

@@ -64,7 +64,7 @@ std::string compared(const Image& image, const std::function<glm::dvec3(int x, i
 class LightTest : public LitTest {
  protected:
   [[nodiscard]] static const LitSurface& at(const std::vector<LitSurface>& surfaces, int x, int y) {
-    return surfaces[static_cast<std::size_t>(y * kLitSize.width + x)];
+    return surfaces[litIndex(x, y)];
   }
 };
 
@@ -139,8 +139,7 @@ TEST_P(LightTest, DiffuseSurfacesShowTheirNormalsIrradiance) {
 
 TEST_P(LightTest, BackgroundIsTheEnvironment) {
   const glm::dmat4 view_from_world = glm::rotate(glm::dmat4(1.0), -0.6, glm::normalize(glm::dvec3(1, 1, 0)));
-  const std::vector<LitSurface> surfaces(kLitSize.width * kLitSize.height,
-                                         LitSurface{.dist_view = kInfinity});
+  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height), LitSurface{.dist_view = kInfinity});
   giveSurfaces(surfaces, manyLights(), view_from_world);
   give(directionMaps());
   const std::vector<Image> images = drawAll("light_ggx.frag", kLitSize, kTwo);

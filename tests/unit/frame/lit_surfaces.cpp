@@ -24,8 +24,8 @@ glm::dvec2 splitSumAt(const std::vector<float>& table, double cos_view, double r
   const int column = std::min(static_cast<int>(x), kSplitSumSide - 2);
   const int row = std::min(static_cast<int>(y), kSplitSumSide - 2);
   const auto entry = [&](int i, int j) {
-    const auto at = static_cast<std::size_t>(2 * (j * kSplitSumSide + i));
-    return glm::dvec2(table[at], table[at + 1]);
+    const std::size_t at = static_cast<std::size_t>(j) * kSplitSumSide + static_cast<std::size_t>(i);
+    return glm::dvec2(table[2 * at], table[2 * at + 1]);
   };
   const glm::dvec2 upper = glm::mix(entry(column, row), entry(column + 1, row), x - column);
   const glm::dvec2 lower = glm::mix(entry(column, row + 1), entry(column + 1, row + 1), x - column);
@@ -177,9 +177,7 @@ void LitTest::giveSurfaces(const std::vector<LitSurface>& surfaces, const std::v
   values_.set("point_dir_view", rows[3]);
   values_.set("point_intensity", rows[4]);
   const auto of = [&](const auto& value) {
-    return imageOf(kLitSize, [&](int x, int y) {
-      return value(surfaces[static_cast<std::size_t>(y * kLitSize.width + x)]);
-    });
+    return imageOf(kLitSize, [&](int x, int y) { return value(surfaces[litIndex(x, y)]); });
   };
   give("albedo", of([](const LitSurface& s) { return rgba(s.albedo); }));
   give("normal_view", of([](const LitSurface& s) { return rgba(s.normal); }));

@@ -35,6 +35,9 @@ struct TestLight {
 // The tests' camera: texel (8, 4) of 16 x 8 looks along -z, each texel's ray leans 0.05 further.
 inline constexpr Size kLitSize{16, 8};
 [[nodiscard]] glm::dvec3 rayOf(int x, int y);  // z is -1
+[[nodiscard]] inline std::size_t litIndex(int x, int y) {
+  return static_cast<std::size_t>(y) * kLitSize.width + static_cast<std::size_t>(x);
+}
 
 // Surfaces of every kind, some of them turned away from the viewer by a hair; the same ones each time.
 [[nodiscard]] std::vector<LitSurface> manySurfaces();
