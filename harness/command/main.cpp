@@ -84,7 +84,8 @@ void addCompare(CLI::App& app, CompareOptions& options, Command& command) {
       app.add_subcommand("compare", "Put what people say of reflections to the test, claim by claim");
   compare->add_option("--claim", options.claims, "A claim by name (default: all of them)");
   compare->add_option("--device", options.devices, "A device of `ssrkit devices`")->capture_default_str();
-  compare->add_option("--out", options.out, "The folder for claims.json and report.html")->capture_default_str();
+  compare->add_option("--out", options.out, "The folder for claims.json and report.html")
+      ->capture_default_str();
   compare->add_flag("--list", options.list, "Print the claims instead of measuring them");
   compare->add_flag("--json", options.json, "Print claims.json instead of the text");
   compare->callback([&] { command = [&] { return compareCommand(options); }; });

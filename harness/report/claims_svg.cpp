@@ -130,6 +130,32 @@ std::string histogramOf(const CheckResult& check, double y) {
                             y + 10);
 }
 
+// What the colours of the classes mean.
+std::string legendOf(const CheckResult& check, double y) {
+  std::string text;
+  double x = 0.0;
+  for (std::size_t i = 0; i < check.histogram.size(); ++i) {
+    text += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>",
+        x, y + 3, kClasses.at(std::min(i, kClasses.size() - 1)), x + 15, y + 12,
+        htmlText(check.histogram[i].label));
+    x += kWidth / static_cast<double>(kClasses.size());
+  }
+  return text;
+}
+
+std::string boundLines(const ClaimFigure& figure, double scale, double bottom) {
+  std::string lines;
+  const auto add = [&](const std::optional<double>& bound, const char* colour, const char* word) {
+    lines += bound && *bound >= 0.0 ? lineAt(*bound, scale, bottom, colour, word) : "";
+  };
+  add(figure.check.min, kConfirmed, "confirmed from");
+  add(figure.check.max, kConfirmed, "confirmed up to");
+  add(figure.refuting.above, kRefuted, "refuted from");
+  add(figure.refuting.below, kRefuted, "refuted up to");
+  return lines;
+}
+
 std::string drawingOf(const Group& group, const std::string& name) {
   const ClaimFigure& first = *group.front();
   const double scale = scaleOf(group);
@@ -143,11 +169,10 @@ std::string drawingOf(const Group& group, const std::string& name) {
       y += kRowHeight - 6;
     }
   }
-  for (const auto& bound : {first.check.min, first.check.max}) {
-    bars += bound ? lineAt(*bound, scale, y, kConfirmed, "confirmed from") : "";
-  }
-  for (const auto& bound : {first.refuting.above, first.refuting.below}) {
-    bars += bound ? lineAt(*bound, scale, y, kRefuted, "refuted from") : "";
+  bars += boundLines(first, scale, y);
+  if (!first.check.histogram.empty()) {
+    bars += legendOf(first.check, y);
+    y += kRowHeight;
   }
   return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}{}</svg>\n", kWidth, y + 4,
                      kWidth, headerOf(first, name), bars);

@@ -175,13 +175,19 @@ std::string verdictText(const ClaimReport& report) {
     return figure.decides && figure.verdict == verdict;
   });
   std::string text = name(verdict);
+  if (const auto count = std::ranges::count_if(report.result.figures, &ClaimFigure::decides);
+      verdict == ClaimVerdict::kConfirmed && count > 1) {
+    text += fmt::format(" by all {} figures that decide, as by", count);
+  } else {
+    text += ":";
+  }
   if (settles != report.result.figures.end()) {
     const CheckResult& check = settles->check;
     const std::string bounds = confirmingText(*settles).empty()
                                    ? ""
                                    : fmt::format(" (confirmed at {}, refuted at {})",
                                                  confirmingText(*settles), refutingText(*settles));
-    text += fmt::format(": {} = {} {}{}, {} on {}", figureName(report.claim, check), valueText(check),
+    text += fmt::format(" {} = {} {}{}, {} on {}", figureName(report.claim, check), valueText(check),
                         check.unit, bounds, placeOf(check), check.device);
     text += verdict == ClaimVerdict::kNotMeasured
                 ? ": " + (check.remark.empty() ? check.message : check.remark)

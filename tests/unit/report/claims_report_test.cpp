@@ -54,6 +54,16 @@ TEST(VerdictText, NamesTheFigureThatSettlesItAndWhy) {
       "vk-lavapipe. They are not.");
 }
 
+TEST(VerdictText, CountsTheFiguresThatConfirm) {
+  ClaimReport report = refuted();
+  report.result.figures[1] = figure("cost", "vk-lavapipe", 6.0, ClaimVerdict::kConfirmed);
+  report.result.verdict = ClaimVerdict::kConfirmed;
+  EXPECT_EQ(verdictText(report),
+            "confirmed by all 2 figures that decide, as by cost = 5 lookups per ray (confirmed at <= 10, "
+            "refuted at >= 20), "
+            "clutter 640x360 hiz on gl-osmesa. They are.");
+}
+
 TEST(VerdictText, TellsWhyNothingIsKnown) {
   ClaimReport report = refuted();
   ClaimFigure crash = figure("runs", "gl-osmesa", 0.0, ClaimVerdict::kNotMeasured);
@@ -141,6 +151,28 @@ TEST(ClaimsHtml, DrawsBarsAndBoundsOnOneScale) {
   EXPECT_TRUE(holds(html, "width=\"79.2\"")) << html;   // 5 / 25.25 of it
   EXPECT_TRUE(holds(html, "M488.4 ")) << html;          // 10: 330 + 420 * 10 / (25.25 * 1.05)
   EXPECT_TRUE(holds(html, "M646.8 ")) << html;          // 20
+}
+
+TEST(ClaimsHtml, ExplainsTheClassesOfADistribution) {
+  ClaimsReport report;
+  report.claims = {refuted()};
+  report.claims[0].result.figures[0].check.histogram = {{"again", 1}, {"1 on", 3}};
+  const std::string html = claimsHtml(report);
+  EXPECT_TRUE(holds(html, ">again</text>")) << html;
+  EXPECT_TRUE(holds(html, "<title>1 on: 75 %</title>")) << html;
+}
+
+TEST(ClaimsHtml, DrawsNoLineForABoundBelowTheScale) {
+  ClaimsReport report;
+  report.claims = {refuted()};
+  for (ClaimFigure& figure : report.claims[0].result.figures) {
+    figure.check.max.reset();
+    figure.check.min = 0.0;
+    figure.refuting = {std::nullopt, -0.05};
+  }
+  const std::string html = claimsHtml(report);
+  EXPECT_TRUE(holds(html, "confirmed from 0<")) << html;
+  EXPECT_FALSE(holds(html, "refuted up to")) << html;
 }
 
 TEST(ClaimsHtml, DrawsAFigureThatCouldNotBeMeasured) {
