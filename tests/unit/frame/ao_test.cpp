@@ -32,7 +32,7 @@ glm::dvec2 rayOf(Size size, int x, int y) {
 class AoTest : public PassTest {
  protected:
   struct Texel {
-    double dist_view = kInfinity;
+    double dist_view = static_cast<double>(kInfinity);
     glm::dvec3 normal{0, 0, 0};
   };
 
