@@ -2,12 +2,13 @@
 #version 450
 #include "trace_entry.glsl"
 #include "ssr_march_dda.glsl"
+#include "ssr_march_strided.glsl"
 
 void main() {
   Ray ray;
   RayHit hit;
   if (trace_begin(ray, hit)) {
-    hit = march_dda(ray, trace_parameters());
+    hit = stride_px > 1.0 ? march_dda_strided(ray, trace_parameters()) : march_dda(ray, trace_parameters());
   }
   trace_end(hit);
 }

@@ -35,6 +35,35 @@ glm::dvec2 pxAtDistance(const ImageRay& ray, double t_m) {
   return ray.pxAt(t_m * ray.inv_dist_origin / (1.0 - t_m * ray.inv_dist_per_sigma));
 }
 
+// What the bisections left of the step that found a hit at t_m: of a step in metres, or of a stride in pixels
+// along the longer axis.
+double residualStepPx(const TraceParameters& parameters, const ImageRay& ray, double t_m) {
+  const double left = std::exp2(-std::max(0, parameters.bisection_count));
+  if (parameters.step_m > 0.0) {
+    return glm::length(pxAtDistance(ray, t_m) -
+                       pxAtDistance(ray, std::max(0.0, t_m - parameters.step_m * left)));
+  }
+  const double longer = std::max(std::abs(ray.px_per_sigma.x), std::abs(ray.px_per_sigma.y));
+  return parameters.stride_px * left * (longer > 0.0 ? glm::length(ray.px_per_sigma) / longer : 1.0);
+}
+
+// Stride 1 is the default of tracers that have none: a step is set by step_m, or by a longer stride in one of
+// the cases.
+bool setsSteps(const Expectation& expectation, const Subject& subject) {
+  bool all_in_metres = true;
+  bool any_in_metres = false;
+  bool any_stride = false;
+  for (const std::string& case_name : expectation.cases) {
+    if (const Answer* answer = answerOfCase(subject, case_name)) {
+      const bool in_metres = answer->parameters.step_m > 0.0;
+      all_in_metres = all_in_metres && in_metres;
+      any_in_metres = any_in_metres || in_metres;
+      any_stride = any_stride || answer->parameters.stride_px > 1;
+    }
+  }
+  return all_in_metres || (any_stride && !any_in_metres);
+}
+
 struct StepErrors {
   std::vector<double> in_steps;  // error over the projected length of the step that found the hit
   std::vector<double> in_px;
@@ -43,8 +72,6 @@ struct StepErrors {
 // One entry for each ray that the oracle hits, off ties; a miss is infinitely wrong.
 StepErrors stepErrors(const Answer& answer, const RayPairs& pairs) {
   StepErrors errors;
-  const TraceParameters& parameters = answer.parameters;
-  const double residual_step_m = parameters.step_m * std::exp2(-std::max(0, parameters.bisection_count));
   const PixelProjection projection = pixelProjection(*answer.oracle_input->camera);
   for (const RayPair& pair : pairs.pairs) {
     if (pair.expected->ray_class != RayClass::kHit) {
@@ -54,12 +81,10 @@ StepErrors stepErrors(const Answer& answer, const RayPairs& pairs) {
     double in_steps = in_px;
     if (pair.yours->ray_class == RayClass::kHit) {
       const PixelRay pixel = pixelRay(*answer.oracle_input, projection, pair.x, pair.y);
-      const double t_m = pair.yours->t_m;
-      const glm::dvec2 step_px =
-          pxAtDistance(pixel.ray, t_m) - pxAtDistance(pixel.ray, std::max(0.0, t_m - residual_step_m));
+      const double step_px = residualStepPx(answer.parameters, pixel.ray, pair.yours->t_m);
       in_px = std::hypot(static_cast<double>(pair.yours->px_x) - pair.expected->px_x,
                          static_cast<double>(pair.yours->px_y) - pair.expected->px_y);
-      in_steps = std::max(0.0, in_px - kRoundingPx) / std::max(glm::length(step_px), kRoundingPx);
+      in_steps = std::max(0.0, in_px - kRoundingPx) / std::max(step_px, kRoundingPx);
       in_steps = std::isnan(in_steps) ? std::numeric_limits<double>::infinity() : in_steps;
       in_px = std::isnan(in_px) ? std::numeric_limits<double>::infinity() : in_px;
     }
@@ -84,11 +109,13 @@ Measurement measureConvergence(const Expectation& expectation, const Subject& su
     Subject of_case = subject;
     of_case.self = answer;
     const RayPairs pairs = pairRays(of_case, expectation.truth);
-    if (!pairs.problem.empty() || answer->oracle_input == nullptr || !(answer->parameters.step_m > 0.0)) {
+    if (!pairs.problem.empty() || answer->oracle_input == nullptr || !setsSteps(expectation, subject)) {
       return cannotMeasure(
           !pairs.problem.empty()
               ? pairs.problem
-              : fmt::format("the case '{}' sets no step_m, or its oracle input is not known", case_name));
+              : fmt::format("the case '{}' sets neither step_m nor stride_px, or its oracle input "
+                            "is not known",
+                            case_name));
     }
     const StepErrors errors = stepErrors(*answer, pairs);
     if (errors.in_px.empty()) {

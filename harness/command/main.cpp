@@ -17,6 +17,7 @@
 #include "command/kit_paths.h"
 #include "command/run.h"
 #include "command/test.h"
+#include "frame/stages.h"
 #include "report/table.h"
 #include "worker/supervisor.h"
 
@@ -28,11 +29,21 @@ using Command = std::function<Expected<int>()>;
 
 constexpr int kWorkerSocket = 3;
 
+// Every tracer with its line for people.
+std::string stageList() {
+  std::string list = "Stages:\n";
+  for (const Stage& stage : stages()) {
+    list += fmt::format("  {:26}{}\n", stage.name, stage.about);
+  }
+  return list;
+}
+
 void addRun(CLI::App& app, RunOptions& options, Command& command) {
   CLI::App* run = app.add_subcommand("run", "Trace scenes, check the answers, write files and a table");
   run->add_option("--scene", options.scenes,
                   "A built-in scene or a glTF 2.0 file (default: all built-in scenes)");
-  run->add_option("--stage", options.stages, "naive, refined, dda, hiz, walk (default: the first four)");
+  run->add_option("--stage", options.stages,
+                  fmt::format("A tracer of the list below (default: {})", joinNames(options.stages)));
   run->add_option("--frame", options.frame,
                   "basic: one light and the reflections; full: every pass of the kit (default: what the "
                   "techniques need)");
@@ -65,6 +76,7 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
       ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; });
   run->add_option("--replace", options.replacements, "PASS=FILE: put a shader of your own in a pass's place");
   run->add_flag("--json", options.json, "Print results.json instead of the table");
+  run->footer(stageList());
   run->callback([&] { command = [&] { return runCommand(options); }; });
 }
 

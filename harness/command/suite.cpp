@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/check.h"
 #include "check/judge.h"
 #include "command/scene_geometry.h"
 #include "frame/stages.h"
@@ -110,13 +111,13 @@ Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) co
   job.replacements = options_.replacements;
   job.shader_root = options_.shader_root;
   for (const TestCase& test_case : test.cases) {
-    TraceParameters parameters = source.defaults;
-    for (const auto& [name, value] : test_case.parameters) {
-      // Parsed once before, when the file or the command line was read.
-      SSRKIT_CHECK(setParameter(parameters, name, value, test.file).has_value());
-    }
-    for (const std::string& stage : test.stages) {
-      job.traces.push_back({.stage = stage, .parameters = parameters, .technique = test_case.technique});
+    for (const std::string& name : test.stages) {
+      // Known, and the values are in range: both were checked when the file or the command line was read.
+      const auto stage = findStage(name);
+      SSRKIT_CHECK(stage.has_value());
+      job.traces.push_back({.stage = name,
+                            .parameters = askedParameters(source.defaults, **stage, test_case.parameters),
+                            .technique = test_case.technique});
     }
   }
   if (source.gbuffer != nullptr) {

@@ -134,6 +134,14 @@ std::vector<Technique> filterTechniques() {
                         .inputs = {{"reflection", "reflection_weighed"}},
                         .constants = {{"fill_levels", 5}}},
                        composite("reflection_filled")}},
+      {.name = "half_res",
+       .about = "one ray for four pixels, brought to full size along surfaces",
+       .ray_stride_texels = 2,
+       .after_trace = {{.name = "resolve_half",
+                        .outputs = {"reflection_half"},
+                        .inputs = {{"hit_texel", "hit_texel_half"}, {"ray_work", "ray_work_half"}}},
+                       {.name = "upsample", .outputs = {"reflection"}},
+                       composite("reflection")}},
   };
 }
 

@@ -74,6 +74,9 @@ const std::vector<FrameImageRow>& table() {
       {.name = "hit_texel", .format = kRg16i},
       {.name = "hit_point", .format = kRgba32f},
       {.name = "ray_work", .format = kRgba16ui},
+      {.name = "hit_texel_half", .format = kRg16i, .divisor = 2},
+      {.name = "hit_point_half", .format = kRgba32f, .divisor = 2},
+      {.name = "ray_work_half", .format = kRgba16ui, .divisor = 2},
       // A technique's.
       {.name = "microfacet_normal", .format = kRgba32f, .channels = rgba},
       {.name = "ray_material", .format = kRgba16f, .channels = rgb},
@@ -89,6 +92,7 @@ const std::vector<FrameImageRow>& table() {
       {.name = "reflected_sum_next", .format = kRgba32f},
       {.name = "weight_sum", .format = kR32f},
       {.name = "weight_sum_next", .format = kR32f},
+      {.name = "reflection_half", .format = kRgba32f, .divisor = 2},
       {.name = "reflection", .format = kRgba16f, .channels = rgba},
       {.name = "reflection_weighed", .format = kRgba16f, .channels = rgba},
       {.name = "visibility", .format = kR32f, .channels = {"Y"}},

@@ -97,6 +97,7 @@ void setCameraUniforms(UniformValues& values, const Camera& camera) {
   values.set("near_m", camera.near_m);
   values.set("clip_from_view", camera.clip_from_view);
   values.set("view_from_world", camera.view_from_world);
+  values.set("world_from_view", glm::inverse(camera.view_from_world));
   const glm::dmat4 previous = camera.previous_view_from_world.value_or(camera.view_from_world);
   values.set("previous_view_from_world", previous);
   // Exactly the identity when the camera stands still, so that reprojection is.

@@ -19,6 +19,9 @@ struct Technique {
   std::vector<FramePass> before_pyramid = {};  // once, before the pyramid is built
   std::vector<FramePass> before_trace = {};    // before each sample's trace
   std::map<std::string, std::string> trace_inputs = {};  // the tracer's samplers to images of its own
+  // Rays start from the upper left texel of each block of this side; over 1 the trace writes hit_texel_half,
+  // hit_point_half and ray_work_half.
+  int ray_stride_texels = 1;
   // The trace is repeated this often; `sample_index` counts up to `sample_count` in the uniforms.
   int sample_count = 1;
   std::vector<FramePass> after_sample = {};  // after each sample's trace

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "frame/image_transfer.h"
+#include "frame/stages.h"
 
 namespace ssrkit {
 
@@ -30,7 +32,43 @@ void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) 
   values.set("step_count", parameters.step_count);
   values.set("bisection_count", parameters.bisection_count);
   values.set("max_mip", parameters.max_mip);
+  values.set("step_growth", parameters.step_growth);
+  values.set("first_step_share", firstStepShare(parameters.step_growth, parameters.step_count));
+  values.set("ray_stride_texels", 1);
 }
+
+namespace {
+
+// Of the images of a trace with fewer rays than texels.
+constexpr const char* kHalf = "_half";
+
+// Puts the rays of every stride-th texel where they started from. The other texels are told as not
+// reflective, in the record and in the material that the tracer is held to.
+Expected<void> spreadRays(Device& device, const FrameImages& images, int stride, TraceResult& result) {
+  const auto dist_view = readImage(device, *images.find("dist_view"), {"Z"});
+  auto material = readImage(device, *images.find("material"), frameImageRow("material").channels);
+  if (!dist_view || !material) {
+    return tl::make_unexpected(dist_view ? material.error() : dist_view.error());
+  }
+  constexpr std::size_t kReflective = 2;
+  RayRecord all{images.size(), {}};
+  for (int y = 0; y < all.size.height; ++y) {
+    for (int x = 0; x < all.size.width; ++x) {
+      if (x % stride == 0 && y % stride == 0) {
+        all.rays.push_back(result.record.at(x / stride, y / stride));
+      } else {
+        const bool is_background = std::isinf(dist_view->at(x, y));
+        all.rays.push_back({.ray_class = is_background ? RayClass::kBackground : RayClass::kMasked});
+        material->at(x, y, kReflective) = 0.0F;
+      }
+    }
+  }
+  result.record = std::move(all);
+  result.images.emplace("material", std::move(*material));
+  return {};
+}
+
+}  // namespace
 
 FramePass tracePass(const std::string& shader) {
   return {.name = shader.substr(0, shader.find('.')),
@@ -55,6 +93,11 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   tracing.technique_ = **technique;
   FramePass pass = tracePass(shaderOf(**stage, tracing.parameters_));
   pass.inputs = tracing.technique_.trace_inputs;
+  if (tracing.technique_.ray_stride_texels > 1) {
+    for (std::string& output : pass.outputs) {
+      output += kHalf;
+    }
+  }
   auto trace = preparePass(programs, settings, pass, progress);
   if (!trace) {
     return tl::make_unexpected(trace.error());
@@ -124,6 +167,10 @@ Expected<void> Tracing::drawTrace(Device& device, FrameImages& images, const Uni
 Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues& values,
                              const Progress& progress) {
   setTraceUniforms(values, parameters_);
+  const int stride = technique_.ray_stride_texels;
+  values.set("ray_stride_texels", stride);
+  values.set("rays_uv", 1.0 / glm::dvec2((images.size().width + stride - 1) / stride,
+                                         (images.size().height + stride - 1) / stride));
   if (const auto done = drawAll(device, before_pyramid_, images, values, progress); !done) {
     return done;
   }
@@ -158,8 +205,9 @@ Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) c
                      .record = {},
                      .images = {},
                      .passes = times_.reports()};
-  auto record =
-      readRecord(device, *images.find("hit_texel"), *images.find("hit_point"), *images.find("ray_work"));
+  const std::string suffix = technique_.ray_stride_texels > 1 ? kHalf : "";
+  auto record = readRecord(device, *images.find("hit_texel" + suffix), *images.find("hit_point" + suffix),
+                           *images.find("ray_work" + suffix));
   if (!record) {
     return tl::make_unexpected(record.error());
   }
@@ -175,6 +223,11 @@ Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) c
       return tl::make_unexpected(image.error());
     }
     result.images.emplace(name, std::move(*image));
+  }
+  if (technique_.ray_stride_texels > 1) {
+    if (const auto spread = spreadRays(device, images, technique_.ray_stride_texels, result); !spread) {
+      return tl::make_unexpected(spread.error());
+    }
   }
   return result;
 }

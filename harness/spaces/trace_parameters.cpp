@@ -39,6 +39,7 @@ const std::vector<Row>& rows() {
       {"stride_px", &TraceParameters::stride_px, 1.0, 1024.0},
       {"jitter", &TraceParameters::jitter, 0.0, 1.0},
       {"max_mip", &TraceParameters::max_mip, -1.0, 14.0},
+      {"step_growth", &TraceParameters::step_growth, 1.0, 4.0},
       {"form", &TraceParameters::form},
   };
   return table;

@@ -19,12 +19,13 @@ struct TraceParameters {
   double max_distance_m = std::numeric_limits<double>::infinity();
   double origin_bias = 0.0;   // along the normal, as a fraction of dist_view
   int lookup_budget = 60000;  // the default never binds
-  int step_count = 0;         // naive, refined: steps over the clipped ray; 0: the stage's own default
-  double step_m = 0.0;        // naive, refined: length of a step; 0: taken from step_count
-  int bisection_count = -1;   // refined, dda with stride > 1; -1: the stage's own default
-  int stride_px = 1;          // dda
-  double jitter = 0.0;        // 0..1 of a step or stride
-  int max_mip = -1;           // hiz: coarsest level it climbs to; -1: the stage's own default
+  int step_count = 0;   // steps over the clipped ray; capped: the most samples; 0: the stage's own default
+  double step_m = 0.0;  // length of a step along the 3-D ray, or of the first; 0: taken from step_count
+  int bisection_count = -1;  // halvings of the step that found the hit; -1: the stage's own default
+  int stride_px = 1;         // dda, homogeneous, capped: from sample to sample
+  double jitter = 0.0;       // 0..1 of a step or stride
+  int max_mip = -1;          // hiz: coarsest level it climbs to; -1: the stage's own default
+  double step_growth = 1.0;  // exponential, adaptive: a step's length over that of the one before
   TracerForm form = TracerForm::kTuned;  // hiz
 
   bool operator==(const TraceParameters&) const = default;

@@ -67,7 +67,7 @@ void fields(Archive& archive, T& record) {
 template <class Archive, Is<TraceParameters> T>
 void fields(Archive& archive, T& p) {
   archive(p.thickness_m, p.thickness_rel, p.max_distance_m, p.origin_bias, p.lookup_budget, p.step_count,
-          p.step_m, p.bisection_count, p.stride_px, p.jitter, p.max_mip, p.form);
+          p.step_m, p.bisection_count, p.stride_px, p.jitter, p.max_mip, p.step_growth, p.form);
   archive.require(p.form == TracerForm::kTextbook || p.form == TracerForm::kTuned);
 }
 

@@ -24,12 +24,14 @@ struct TraceParameters {
   float max_distance_m; // 1e30 stands for infinite
   float origin_bias;    // fraction of dist_view, along the normal
   int lookup_budget;
-  int step_count;       // naive, refined
-  float step_m;         // naive, refined; 0: taken from step_count
-  int bisection_count;  // refined, dda with a stride over 1
-  float stride_px;      // dda
+  int step_count;       // marches along the 3-D ray; capped: the most samples
+  float step_m;         // marches along the 3-D ray; 0: taken from step_count
+  int bisection_count;  // refined, exponential, adaptive, homogeneous, capped, dda with a stride over 1
+  float stride_px;      // dda, homogeneous, capped
   float jitter;         // 0..1 of a step
   int max_mip;          // hiz
+  float step_growth;    // exponential, adaptive: a step's length over that of the one before
+  float first_step_share;  // exponential: of the ray, so that step_count growing steps cover it
 };
 
 struct RayHit {

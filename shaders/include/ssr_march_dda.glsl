@@ -1,33 +1,16 @@
-// The screen-space DDA: one sample a stride along the ray's longer axis on the image, perspective-correct (McGuire and
-// Mara, "Efficient GPU Screen-Space Ray Tracing", JCGT 3(4) 2014, sections 3 and 4).
+// The screen-space DDA: one sample a texel along the ray's longer axis on the image, perspective-correct (McGuire and
+// Mara, "Efficient GPU Screen-Space Ray Tracing", JCGT 3(4) 2014, sections 3 and 4). Strides over one texel are
+// ssr_march_strided.glsl.
 //
-// In: a clipped ray. Out: the first sampled texel whose column the ray overlaps; for strides over 1 refined by
-//   bisection_count one-sided bisections. On a miss texel, p_px and t_m are -1.
+// In: a clipped ray. Out: the first sampled texel whose column the ray overlaps. On a miss texel, p_px and t_m are -1.
 // Needs: float load_dist_view(vec2 texel)    metres, +inf for background
-// Each sample answers for a block of stride x stride texels about the ray's position in the middle of its columns; the
-// depth interval tested is the ray's inside that block and inside the segment. At stride 1 the block is the texel, so
-// what it finds is true of that texel, and all it can miss is a texel that the ray crosses beside the column's middle:
-// the 8-connected walk leaks through diagonal lines.
+// A sample is the texel at the ray's position in the middle of a column (a row, for steep rays); the depth interval tested
+// is the ray's inside that texel and inside the segment. So what it finds is true of that texel, and all it can miss is a
+// texel that the ray crosses beside the column's middle: the 8-connected walk leaks through diagonal lines.
 #ifndef SSR_MARCH_DDA_GLSL
 #define SSR_MARCH_DDA_GLSL
 
 #include "ssr_ray.glsl"
-
-// Halves [s_front, s_behind] while its far end stays behind a surface; texel is the far end's.
-float dda_bisect(Ray ray, float s_front, float s_behind, int bisections, inout vec2 texel, TraceParameters parameters) {
-  for (int i = 0; i < bisections; ++i) {
-    float s_middle = 0.5 * (s_front + s_behind);
-    vec2 texel_middle = texel_at(ray_position_px(ray, s_middle), parameters);
-    float dist_middle = load_dist_view(texel_middle);
-    bool is_behind = ray_inv_dist(ray, s_middle) * dist_middle <= 1.0 && any(notEqual(texel_middle, ray.own_texel));
-    s_front = is_behind ? s_front : s_middle;
-    if (is_behind) {
-      s_behind = s_middle;
-      texel = texel_middle;
-    }
-  }
-  return s_behind;
-}
 
 RayHit march_dda(Ray ray, TraceParameters parameters) {
   bool x_is_primary = abs(ray.px_per_s.x) >= abs(ray.px_per_s.y);
@@ -36,18 +19,17 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
   vec2 direction = 2.0 * far_edge - 1.0;
   // The far edge of the last sampled column along the primary axis. Sampling starts behind the origin's column, in which
   // an unbiased ray cannot leave its own texel sideways, or with it where the bias moved the origin.
-  float stride_px = parameters.stride_px;
   vec2 column_edge = floor(ray.origin_px) + far_edge;
   float s_column_in = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
   if (parameters.origin_bias > 0.0) {
-    column_edge -= direction * stride_px;
+    column_edge -= direction;
     s_column_in = 0.0;
   }
   if (parameters.jitter > 0.0) {
-    column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5) * stride_px);
+    column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5));
   }
-  vec2 half_block = (1.0 - primary) * (0.5 * stride_px);
-  float s_half_column = 0.5 * stride_px * abs(ordered_dot(ray.s_per_px, primary));
+  vec2 half_texel = (1.0 - primary) * 0.5;
+  float s_half_column = 0.5 * abs(ordered_dot(ray.s_per_px, primary));
   float s_in = 0.0;
   float s_out = 0.0;
   float s_sample = 0.0;
@@ -60,16 +42,16 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
     if (is_over) {
       break;
     }
-    column_edge += direction * stride_px;
+    column_edge += direction;
     float s_column_out = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
     s_sample = clamp(s_column_out - s_half_column, 0.0, ray.s_end);
     texel = texel_at(ray_position_px(ray, s_sample), parameters);
-    // The block's edges across the secondary axis.
+    // The texel's edges across the secondary axis.
     vec2 middle = texel + 0.5;
-    float s_block_a = ordered_dot(ray_s_at_edges(ray, middle - direction * half_block), 1.0 - primary);
-    float s_block_b = ordered_dot(ray_s_at_edges(ray, middle + direction * half_block), 1.0 - primary);
-    s_in = max(s_column_in, s_block_a);
-    s_out = min(min(s_column_out, s_block_b), ray.s_end);
+    float s_texel_a = ordered_dot(ray_s_at_edges(ray, middle - direction * half_texel), 1.0 - primary);
+    float s_texel_b = ordered_dot(ray_s_at_edges(ray, middle + direction * half_texel), 1.0 - primary);
+    s_in = max(s_column_in, s_texel_a);
+    s_out = min(min(s_column_out, s_texel_b), ray.s_end);
     dist_view = load_dist_view(texel);
     ++lookups;
     is_hit = s_in <= s_out && column_overlaps(ray_inv_dist(ray, s_in), ray_inv_dist(ray, s_out), dist_view, parameters) &&
@@ -79,12 +61,6 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
   }
   if (!is_hit) {
     return ray_without_hit(is_over ? ray.end_class : RAY_BUDGET, lookups, lookups);
-  }
-  if (stride_px > 1.0) {
-    int bisections = min(parameters.bisection_count, parameters.lookup_budget - lookups);
-    float s_behind = dda_bisect(ray, s_in, s_out, bisections, texel, parameters);
-    int all_lookups = lookups + max(bisections, 0);
-    return RayHit(ivec2(texel), ray_position_px(ray, s_behind), ray_t_m(ray, s_behind), RAY_HIT, all_lookups, all_lookups);
   }
   return ray_hit_in_texel(ray, texel, dist_view, s_in, s_out, lookups, lookups, parameters);
 }

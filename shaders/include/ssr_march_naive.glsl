@@ -13,7 +13,7 @@
 RayHit march_naive(Ray ray, PixelProjection projection, TraceParameters parameters) {
   float t_end_m = ray_end_m(ray);
   float step_m = march_step_m(t_end_m, parameters);
-  float t_offset_m = march_offset_m(ray, step_m, parameters);
+  float t_offset_m = march_offset(ray, step_m, parameters);
   float t_m = 0.0;
   vec2 p_px = ray.origin_px;
   int lookups = 0;

@@ -3,32 +3,17 @@
 //
 // In: a clipped ray. Out: the texel at the far end of the last bracket; on a miss texel, p_px and t_m are -1.
 // Needs: float load_dist_view(vec2 texel)    metres, +inf for background
-// The bracket [t_front_m, t_behind_m] halves each time: the residual is step * 2^-n. The bracket's far end is a hit at
-// every moment, so refinement never loses one (a symmetric thickness window in the bisection would).
+// The bracket [t_front_m, t_behind_m] halves each time: the residual is step * 2^-n.
 #ifndef SSR_MARCH_REFINED_GLSL
 #define SSR_MARCH_REFINED_GLSL
 
-#include "ssr_ray.glsl"
+#include "ssr_sample.glsl"
 #include "ssr_step.glsl"
-
-struct MarchSample {
-  vec2 texel;
-  vec2 p_px;
-  float dist_ray;   // of the ray
-  float dist_view;  // of the depth image there
-};
-
-MarchSample march_sample(Ray ray, float t_m, PixelProjection projection, TraceParameters parameters) {
-  vec3 p_view = ray.origin_view + t_m * ray.dir_view;
-  vec2 p_px = position_view_to_px(p_view, projection);
-  vec2 texel = texel_at(p_px, parameters);
-  return MarchSample(texel, p_px, -p_view.z, load_dist_view(texel));
-}
 
 RayHit march_refined(Ray ray, PixelProjection projection, TraceParameters parameters) {
   float t_end_m = ray_end_m(ray);
   float step_m = march_step_m(t_end_m, parameters);
-  float t_offset_m = march_offset_m(ray, step_m, parameters);
+  float t_offset_m = march_offset(ray, step_m, parameters);
   float t_front_m = 0.0;
   float t_behind_m = 0.0;
   float dist_front = -ray.origin_view.z;
@@ -45,10 +30,7 @@ RayHit march_refined(Ray ray, PixelProjection projection, TraceParameters parame
     t_behind_m = min(float(i) * step_m - t_offset_m, t_end_m);
     behind = march_sample(ray, t_behind_m, projection, parameters);
     ++steps;
-    // The step's depth interval against the column: a step longer than the thickness does not jump over it.
-    is_hit = behind.dist_ray >= behind.dist_view &&
-             min(behind.dist_ray, dist_front) < column_far_m(behind.dist_view, parameters) &&
-             any(notEqual(behind.texel, ray.own_texel));
+    is_hit = step_hits(ray, behind, dist_front, parameters);
     if (is_hit) {
       break;
     }
@@ -59,16 +41,7 @@ RayHit march_refined(Ray ray, PixelProjection projection, TraceParameters parame
     return ray_without_hit(is_over ? ray.end_class : RAY_BUDGET, steps, steps);
   }
   int bisections = min(parameters.bisection_count, parameters.lookup_budget - steps);
-  for (int i = 0; i < bisections; ++i) {
-    float t_middle_m = 0.5 * (t_front_m + t_behind_m);
-    MarchSample middle = march_sample(ray, t_middle_m, projection, parameters);
-    bool is_behind = middle.dist_ray >= middle.dist_view && any(notEqual(middle.texel, ray.own_texel));
-    t_front_m = is_behind ? t_front_m : t_middle_m;
-    t_behind_m = is_behind ? t_middle_m : t_behind_m;
-    if (is_behind) {
-      behind = middle;
-    }
-  }
+  t_behind_m = bisect_t(ray, t_front_m, t_behind_m, bisections, behind, projection, parameters);
   int lookups = steps + max(bisections, 0);
   return RayHit(ivec2(behind.texel), behind.p_px, t_behind_m, RAY_HIT, lookups, lookups);
 }

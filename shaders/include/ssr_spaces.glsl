@@ -24,6 +24,11 @@ vec2 position_view_to_px(vec3 p_view, PixelProjection projection) {
   return projection.px_scale * (vec2(p_view) / -p_view.z) + projection.px_offset;
 }
 
+// The same from clip space, for cameras whose p_clip.w is dist_view.
+vec2 position_clip_to_px(vec4 p_clip, vec2 size_px) {
+  return (0.5 * size_px) * (vec2(p_clip.x, -p_clip.y) / p_clip.w + 1.0);
+}
+
 // The rasteriser's clip position. With GL's clip control at (lower left, zero to one) and Vulkan's positive viewport,
 // row 0 of the image is NDC y = -1 on both: one flip puts the upper edge of the picture there, on every API.
 vec4 rasterizer_from_clip(vec4 p_clip) { return vec4(p_clip.x, -p_clip.y, p_clip.z, p_clip.w); }

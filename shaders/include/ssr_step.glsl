@@ -18,14 +18,21 @@ float ray_end_m(Ray ray) {
   return ray.s_end / max(inv_dist_end, min(margin, ray.inv_dist_origin));
 }
 
+// The ray's end in s with the same margin.
+float ray_end_s(Ray ray) {
+  float s_margin = VANISHING_MARGIN_PX / max(max(abs(ray.px_per_s.x), abs(ray.px_per_s.y)), PARALLEL_PX);
+  bool vanishes = ray_inv_dist(ray, ray.s_end) < s_margin * abs(ray.inv_dist_per_s);
+  return vanishes ? max(ray.s_end - s_margin, 0.0) : ray.s_end;
+}
+
 // The user's step_m, or the clipped ray in step_count equal steps.
 float march_step_m(float t_end_m, TraceParameters parameters) {
   return parameters.step_m > 0.0 ? parameters.step_m : t_end_m / float(parameters.step_count);
 }
 
-// How far the samples of this pixel are moved back: up to jitter steps, by dither noise.
-float march_offset_m(Ray ray, float step_m, TraceParameters parameters) {
-  return parameters.jitter > 0.0 ? parameters.jitter * dither_noise(ray.own_texel + 0.5) * step_m : 0.0;
+// How far the samples of this pixel are moved back: up to jitter steps, by dither noise. In the unit of `step`.
+float march_offset(Ray ray, float step, TraceParameters parameters) {
+  return parameters.jitter > 0.0 ? parameters.jitter * dither_noise(ray.own_texel + 0.5) * step : 0.0;
 }
 
 #endif

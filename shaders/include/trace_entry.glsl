@@ -29,6 +29,12 @@ layout(std140, binding = 0) uniform TraceBlock {
   int step_count;
   int bisection_count;
   int max_mip;
+  int ray_stride_texels;  // this fragment's ray starts from the texel that is its own position times this
+  float step_growth;
+  float first_step_share;
+  mat4 clip_from_view;
+  mat4 view_from_world;
+  mat4 world_from_view;
 };
 
 layout(binding = 1) uniform sampler2D dist_view;
@@ -41,7 +47,8 @@ layout(location = 2) out uvec4 ray_work;
 
 TraceParameters trace_parameters() {
   return TraceParameters(size_px, near_m, thickness_m, thickness_rel, max_distance_m, origin_bias, lookup_budget,
-                         step_count, step_m, bisection_count, stride_px, jitter, max_mip);
+                         step_count, step_m, bisection_count, stride_px, jitter, max_mip, step_growth,
+                         first_step_share);
 }
 
 PixelProjection trace_projection() { return PixelProjection(px_scale, px_offset, view_per_px); }
@@ -51,7 +58,7 @@ float load_dist_view(vec2 texel) { return textureLod(dist_view, (texel + 0.5) * 
 
 // Whether this pixel's ray is to be marched; if not, `hit` is its record.
 bool trace_begin(out Ray ray, out RayHit hit) {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 texel = ivec2(gl_FragCoord.xy) * ray_stride_texels;
   float own_dist_view = texelFetch(dist_view, texel, 0).x;
   bool is_background = isinf(own_dist_view);
   if (is_background || texelFetch(material, texel, 0).b == 0.0) {

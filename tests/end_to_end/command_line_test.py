@@ -113,7 +113,7 @@ class Parameters(CommandLineTest):
                              "max_distance_m": ("0", "nan", "-1"), "step_m": ("inf", "-1"), "step_count": ("-1", "1e9"),
                              "lookup_budget": ("inf", "-1", "1e9"), "stride_px": ("0", "nan"), "jitter": ("2", "-0.1"),
                              "max_mip": ("-2", "99"), "bisection_count": ("33",), "origin_bias": ("-1", "inf"),
-                             "thickness_rel": ("inf", "nan")}.items():
+                             "thickness_rel": ("inf", "nan"), "step_growth": ("0.5", "5")}.items():
             for value in values:
                 with self.subTest(name=name, value=value):
                     self.assert_refused_early(self.trace("--param", f"{name}={value}"), f"'{name}'", f"'{value}'",

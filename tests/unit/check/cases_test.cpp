@@ -76,6 +76,31 @@ TEST(Convergence, BisectionsHalveTheStepThatIsAllowed) {
   EXPECT_EQ(outcomeName(bench.check(convergence())), "fail");
 }
 
+// The same with hits that lie pixels from the oracle's, after strides of pixels.
+Bench strided(const std::vector<int>& strides_px, const std::vector<float>& errors_px) {
+  Bench bench = converging({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+  for (std::size_t i = 0; i < strides_px.size(); ++i) {
+    bench.answers[i].parameters.stride_px = strides_px[i];
+    for (RayHit& ray : bench.records[i].rays) {
+      ray.px_x += errors_px[i];
+    }
+  }
+  return bench;
+}
+
+TEST(Convergence, StridesAreMeasuredInPixels) {
+  EXPECT_EQ(outcomeName(strided({8, 4, 1}, {7.0F, 3.0F, 0.9F}).check(convergence())), "pass");
+  EXPECT_EQ(outcomeName(strided({8, 4, 1}, {7.0F, 3.0F, 1.6F}).check(convergence())), "fail");
+  Bench bench = strided({8, 8, 8}, {7.0F, 1.8F, 0.45F});
+  bench.answers[1].parameters.bisection_count = 2;
+  bench.answers[2].parameters.bisection_count = 4;
+  EXPECT_EQ(outcomeName(bench.check(convergence())), "pass");
+}
+
+TEST(Convergence, CasesWithoutAStepCannotBeMeasured) {
+  EXPECT_EQ(outcomeName(strided({1, 1, 1}, {0.5F, 0.4F, 0.3F}).check(convergence())), "error");
+}
+
 TEST(Convergence, MissedHitsAreInfinitelyWrongUpToThePercentile) {
   Bench bench = converging({0.4, 0.2, 0.1}, {0.36, 0.18, 0.09});
   for (std::size_t i = 0; i < 6; ++i) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace ssrkit {
@@ -21,6 +22,43 @@ TEST(Stages, AreFoundByNameAndMisspellingsGetASuggestion) {
   ASSERT_FALSE(misspelt.has_value());
   EXPECT_EQ(sentence(misspelt.error()),
             "could not find the stage 'hzi': there is no such stage; did you mean 'hiz'?");
+}
+
+TEST(StagePresets, AreParametersInRange) {
+  for (const Stage& stage : stages()) {
+    for (const auto& [name, value] : stage.preset) {
+      TraceParameters parameters;
+      const auto set = setParameter(parameters, name, value, stage.name);
+      EXPECT_TRUE(set.has_value()) << sentence(set.error());
+    }
+  }
+}
+
+TEST(StagePresets, StandOverTheScenesValuesAndUnderWhatWasChosen) {
+  const Stage& dda_8_4 = **findStage("dda_8_4");
+  const TraceParameters scene{.thickness_m = 0.3, .bisection_count = 7, .stride_px = 2};
+  const TraceParameters asked = askedParameters(scene, dda_8_4, {});
+  EXPECT_EQ(asked.thickness_m, 0.3);
+  EXPECT_EQ(asked.bisection_count, 4);
+  EXPECT_EQ(asked.stride_px, 8);
+  const TraceParameters chosen =
+      askedParameters(scene, dda_8_4, {{"stride_px", "16"}, {"thickness_m", "inf"}});
+  EXPECT_EQ(chosen.stride_px, 16);
+  EXPECT_TRUE(std::isinf(chosen.thickness_m));
+  EXPECT_EQ(chosen.bisection_count, 4);
+}
+
+TEST(FirstStepShare, MakesTheGrowingStepsAsLongAsTheRay) {
+  for (const double growth : {1.0, 1.001, 1.05, 2.0}) {
+    double step = firstStepShare(growth, 24);
+    double sum = 0.0;
+    for (int i = 0; i < 24; ++i) {
+      sum += step;
+      step *= growth;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9) << growth;
+  }
+  EXPECT_GT(firstStepShare(4.0, 16384), 0.0);
 }
 
 TEST(StageDefaults, FillOnlyWhatWasLeftOpen) {

@@ -9,6 +9,7 @@
 #include "spaces/camera.h"
 
 namespace glsl {
+using glm::mat4;
 using glm::sqrt;
 using glm::vec2;
 using glm::vec3;
@@ -44,6 +45,18 @@ TEST(GlslSpaces, ProjectAsTheMatrixDoes) {
   const glm::vec2 p_px = glsl::position_view_to_px(p_view, shaderProjection(camera));
   EXPECT_NEAR(p_px.x, (0.5 + 0.5 * p_clip.x / p_clip.w) * 320.0, 1e-4);
   EXPECT_NEAR(p_px.y, (0.5 - 0.5 * p_clip.y / p_clip.w) * 180.0, 1e-4);
+}
+
+TEST(GlslSpaces, ProjectAClipPositionAsItsViewPosition) {
+  const Camera camera = offCentreCamera();
+  const glm::vec4 p_view(0.7F, -0.4F, -3.0F, 1.0F);
+  const glm::vec4 p_clip = glsl::ordered_transform(glm::mat4(camera.clip_from_view), p_view);
+  const glm::vec4 expected(camera.clip_from_view * glm::dvec4(p_view));
+  EXPECT_LE(glm::length(p_clip - expected), 1e-6F);
+  const glm::vec2 p_px = glsl::position_clip_to_px(p_clip, glm::vec2(320.0F, 180.0F));
+  const glm::vec2 same_px = glsl::position_view_to_px(glm::vec3(p_view), shaderProjection(camera));
+  EXPECT_NEAR(p_px.x, same_px.x, 1e-4);
+  EXPECT_NEAR(p_px.y, same_px.y, 1e-4);
 }
 
 TEST(GlslSpaces, ReconstructWhatTheyProject) {

@@ -53,6 +53,7 @@ TraceParameters sampleParameters() {
   p.stride_px = 4;
   p.jitter = 1.0 / 3.0;
   p.max_mip = 6;
+  p.step_growth = 1.0625;
   p.form = TracerForm::kTextbook;
   return p;
 }
