@@ -10,6 +10,7 @@ layout(std140, binding = 0) uniform AccumulateBlock {
   vec2 px_scale;
   vec2 px_offset;
   vec2 view_per_px;
+  vec2 texel_uv;  // 1 / size_px
   float near_m;
   float disocclusion_rel;
   int is_straight_alpha;     // 0: the reflection's rgb is weighed already
@@ -32,7 +33,10 @@ layout(location = 1) out float history_length;
 
 const float SKY_DISTANCES = 1e4;  // a miss shows what is this many times as far away as the mirror
 
-float load_previous_dist_view(ivec2 texel) { return texelFetch(previous_dist_view, texel, 0).x; }
+// A nearest sample instead of texelFetch: the same texel, and faster on llvmpipe. Beyond the image its edge's texels.
+vec2 uv_of(ivec2 texel) { return (vec2(texel) + 0.5) * texel_uv; }
+
+float load_previous_dist_view(ivec2 texel) { return textureLod(previous_dist_view, uv_of(texel), 0.0).x; }
 
 #include "history_taps.glsl"
 
@@ -42,19 +46,19 @@ vec4 straight(vec4 colour) {
   return is_straight_alpha == 0 ? colour : colour.a > 0.0 ? vec4(colour.rgb / colour.a, colour.a) : vec4(0.0);
 }
 
-vec4 previous_reflection(ivec2 texel) { return premultiplied(texelFetch(previous_accumulated, texel, 0)); }
-vec4 previous_length(ivec2 texel) { return texelFetch(previous_history_length, texel, 0); }
+vec4 previous_reflection(ivec2 texel) { return premultiplied(textureLod(previous_accumulated, uv_of(texel), 0.0)); }
+vec4 previous_length(ivec2 texel) { return textureLod(previous_history_length, uv_of(texel), 0.0); }
 
 // The motion of what the mirror shows at this pixel.
 vec2 image_motion_px(ivec2 texel, vec3 p_mirror, vec3 p_mirror_previous, vec3 normal, PreviousFrame frame,
                      PixelProjection projection) {
-  ivec2 hit = texelFetch(hit_texel, texel, 0).xy;
-  float t_m = hit.x >= 0 ? texelFetch(hit_point, texel, 0).z : SKY_DISTANCES * -p_mirror.z;
+  ivec2 hit = textureLod(hit_texel, uv_of(texel), 0.0).xy;
+  float t_m = hit.x >= 0 ? textureLod(hit_point, uv_of(texel), 0.0).z : SKY_DISTANCES * -p_mirror.z;
   precise vec3 p_hit = p_mirror + t_m * ordered_reflect(ordered_normalize(p_mirror), normal);
   vec2 own_px = vec2(0.0);
   if (hit.x >= 0) {
-    vec3 p_surface = position_px_to_view(vec2(hit) + 0.5, texelFetch(dist_view, hit, 0).x, projection);
-    own_px = own_motion_px(p_surface, texelFetch(motion, hit, 0).xy, frame);
+    vec3 p_surface = position_px_to_view(vec2(hit) + 0.5, textureLod(dist_view, uv_of(hit), 0.0).x, projection);
+    own_px = own_motion_px(p_surface, textureLod(motion, uv_of(hit), 0.0).xy, frame);
   }
   vec3 p_hit_previous = moved_previous_view(p_hit, own_px, frame);
   vec3 normal_previous = mat3(frame.previous_view_from_view) * normal;
@@ -64,12 +68,11 @@ vec2 image_motion_px(ivec2 texel, vec3 p_mirror, vec3 p_mirror_previous, vec3 no
 
 // Least and greatest of the neighbourhood in every channel.
 vec4 clamp_to_neighbours(vec4 history, ivec2 texel) {
-  vec4 least = premultiplied(texelFetch(reflection, texel, 0));
+  vec4 least = premultiplied(textureLod(reflection, uv_of(texel), 0.0));
   vec4 greatest = least;
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
-      ivec2 neighbour = clamp(texel + ivec2(x, y), ivec2(0), ivec2(size_px) - 1);
-      vec4 colour = premultiplied(texelFetch(reflection, neighbour, 0));
+      vec4 colour = premultiplied(textureLod(reflection, uv_of(texel + ivec2(x, y)), 0.0));
       least = min(least, colour);
       greatest = max(greatest, colour);
     }
@@ -79,17 +82,17 @@ vec4 clamp_to_neighbours(vec4 history, ivec2 texel) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  float dist = texelFetch(dist_view, texel, 0).x;
-  accumulated = texelFetch(reflection, texel, 0);
+  float dist = textureLod(dist_view, uv_of(texel), 0.0).x;
+  accumulated = textureLod(reflection, uv_of(texel), 0.0);
   history_length = 0.0;
-  if (isinf(dist) || texelFetch(material, texel, 0).b <= 0.0) {
+  if (isinf(dist) || textureLod(material, uv_of(texel), 0.0).b <= 0.0) {
     return;
   }
   PreviousFrame frame = PreviousFrame(previous_view_from_view, px_scale, near_m);
   PixelProjection projection = PixelProjection(px_scale, px_offset, view_per_px);
   vec3 p_mirror = position_px_to_view(gl_FragCoord.xy, dist, projection);
-  vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
-  vec2 own_px = own_motion_px(p_mirror, texelFetch(motion, texel, 0).xy, frame);
+  vec3 normal = ordered_normalize(textureLod(normal_view, uv_of(texel), 0.0).xyz);
+  vec2 own_px = own_motion_px(p_mirror, textureLod(motion, uv_of(texel), 0.0).xy, frame);
   vec3 p_mirror_previous = moved_previous_view(p_mirror, own_px, frame);
   vec2 p_previous_px =
       gl_FragCoord.xy - image_motion_px(texel, p_mirror, p_mirror_previous, normal, frame, projection);

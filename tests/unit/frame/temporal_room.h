@@ -66,6 +66,7 @@ class TemporalTest : public PassTest {
     values_.set("px_scale", glm::dvec2(kScalePx, -kScalePx));
     values_.set("px_offset", glm::dvec2(128.0));
     values_.set("view_per_px", glm::dvec2(1.0 / kScalePx, -1.0 / kScalePx));
+    values_.set("texel_uv", glm::dvec2(1.0 / 256.0));
     values_.set("near_m", 0.1);
     values_.set("disocclusion_rel", 0.02);
     values_.set("max_history_length", 9.0);
