@@ -9,12 +9,14 @@
 
 namespace glsl {
 using glm::clamp;
+using glm::mat4;
 using glm::max;
 using glm::min;
 using glm::mix;
 using glm::sqrt;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 #include "brdf_ggx.glsl"
 }  // namespace glsl
 

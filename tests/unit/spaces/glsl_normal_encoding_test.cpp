@@ -15,10 +15,12 @@ using glm::abs;
 using glm::clamp;
 using glm::floor;
 using glm::ivec2;
+using glm::mat4;
 using glm::max;
 using glm::sqrt;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 #include "normal_encoding.glsl"
 }  // namespace normal_encoding
 
