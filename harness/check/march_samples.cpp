@@ -60,8 +60,11 @@ std::vector<glm::ivec2> marchSamples(MarchSpacing spacing, const ImageRay& ray,
     if (spacing == MarchSpacing::kMetres) {
       sigma = sigmaAtMetres(ray, std::min(static_cast<double>(i) * step_m, length_m));
     } else {
-      const double middle = near_edge + direction * parameters.stride_px * (static_cast<double>(i) - 0.5);
-      sigma = std::clamp(ray.sigmaAt(axis, middle), 0.0, ray.sigma_end);
+      // Stride 1 looks in the middle of every column; longer strides count from the ray's origin.
+      const double px = parameters.stride_px > 1
+                            ? ray.px_origin[axis] + direction * parameters.stride_px * static_cast<double>(i)
+                            : near_edge + direction * (static_cast<double>(i) - 0.5);
+      sigma = std::clamp(ray.sigmaAt(axis, px), 0.0, ray.sigma_end);
     }
     texels.push_back(texelAt(ray.pxAt(sigma)));
   }

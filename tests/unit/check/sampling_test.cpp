@@ -172,9 +172,8 @@ TEST(Sampling, AStrideOfNTexelsSkipsAllButOneOfN) {
   TraceParameters parameters;
   parameters.stride_px = 8;
   world.add("dda", parameters, [](int, int) { return missAfter(10); });
-  // The first sample is 4 or 5 rows on, by rounding at the edge between two; the nine others 8 each.
   const CheckResult check = world.bench.check(expectation("metric = \"skipped_share\"\nmax = 1"));
-  EXPECT_NEAR(check.value.value_or(0.0), (3.0 + 9.0 * 7.0) / (4.0 + 9.0 * 8.0), 2e-3);
+  EXPECT_NEAR(check.value.value_or(0.0), 7.0 / 8.0, 1e-12);
 }
 
 TEST(Sampling, BisectionsOfAHitAreNoSamples) {
