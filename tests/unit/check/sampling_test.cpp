@@ -171,7 +171,8 @@ TEST(Sampling, AStrideOfNTexelsSkipsAllButOneOfN) {
   World world;
   TraceParameters parameters;
   parameters.stride_px = 8;
-  world.add("dda", parameters, [](int, int) { return missAfter(10); });
+  // 64 rows: the shortest ray has 65 to its vanishing point.
+  world.add("dda", parameters, [](int, int) { return missAfter(8); });
   const CheckResult check = world.bench.check(expectation("metric = \"skipped_share\"\nmax = 1"));
   EXPECT_NEAR(check.value.value_or(0.0), 7.0 / 8.0, 1e-12);
 }
