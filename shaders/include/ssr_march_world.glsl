@@ -45,7 +45,8 @@ RayHit march_world(Ray ray, mat4 view_from_world, mat4 world_from_view, PixelPro
     }
   }
   if (is_hit) {
-    return RayHit(ivec2(texel_at(p_px, parameters)), p_px, t_m, RAY_HIT, lookups, steps);
+    return RayHit(ivec2(texel_at(p_px, parameters)), position_inside_px(p_px, parameters), t_m, RAY_HIT, lookups,
+                  steps);
   }
   return ray_without_hit(is_over ? ray.end_class : RAY_BUDGET, lookups, steps);
 }
