@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "analytic_scene.h"
+#include "contract_rays.h"
 
 namespace ssrkit::testing {
 
 namespace {
-
-void setNormal(AnalyticScene& scene, int x, int y, glm::dvec3 normal, float cosine = 1.0F) {
-  for (int axis = 0; axis < 3; ++axis) {
-    scene.normal_view.at(x, y, static_cast<std::size_t>(axis)) = static_cast<float>(normal[axis]);
-  }
-  scene.normal_view.at(x, y, 3) = cosine;
-}
 
 // A frontal mirror at dist_view 10: the ray of a pixel d texels right of the centre is seen at d (20 - dist)
 // / dist.
@@ -28,17 +22,6 @@ void expectNoHit(const RayHit& hit) {
   EXPECT_EQ(hit.px_x, -1.0F);
   EXPECT_EQ(hit.px_y, -1.0F);
   EXPECT_EQ(hit.t_m, -1.0F);
-}
-
-void expectSameRay(const RayHit& a, const RayHit& b) {
-  EXPECT_EQ(a.ray_class, b.ray_class);
-  EXPECT_EQ(a.texel_x, b.texel_x);
-  EXPECT_EQ(a.texel_y, b.texel_y);
-  EXPECT_EQ(a.px_x, b.px_x);
-  EXPECT_EQ(a.px_y, b.px_y);
-  EXPECT_EQ(a.t_m, b.t_m);
-  EXPECT_EQ(a.lookups, b.lookups);
-  EXPECT_EQ(a.steps, b.steps);
 }
 
 }  // namespace
