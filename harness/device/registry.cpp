@@ -34,6 +34,8 @@ std::string findVulkanDriver(std::string_view name_part) {
 DeviceEntry osmesaEntry() {
   return {.id = "gl-osmesa",
           .description = "OpenGL 4.5 core on OSMesa, Mesa's llvmpipe software rasteriser",
+          .pipeline = "gl-llvmpipe",
+          .rasteriser = "llvmpipe",
           .target = ShaderTarget::kOpenGl,
           .environment = {{"GALLIUM_DRIVER", "llvmpipe"}},
           .create = [] { return createOsmesaDevice("gl-osmesa"); }};
@@ -44,6 +46,8 @@ DeviceEntry lavapipeEntry() {
   return {
       .id = "vk-lavapipe",
       .description = "Vulkan 1.3 on lavapipe, Mesa's software driver",
+      .pipeline = "lavapipe",
+      .rasteriser = "llvmpipe",
       .target = ShaderTarget::kVulkan,
       // Both names of one variable, for older and newer loaders; the third keeps Mesa's device-selection
       // layer out.

@@ -19,7 +19,11 @@ namespace ssrkit {
 struct DeviceEntry {
   std::string id;           // "gl-osmesa"
   std::string description;  // one line for `ssrkit devices`
-  ShaderTarget target;
+  // What its images may be compared by (tolerance_class.h): the code that turns a shader into pixels, front
+  // end included, and the code that draws triangles and runs shaders.
+  std::string pipeline;    // "gl-llvmpipe"
+  std::string rasteriser;  // "llvmpipe"
+  ShaderTarget target = ShaderTarget::kOpenGl;
   // What the worker's environment needs before any driver is loaded (driver choice is process-wide).
   std::vector<std::pair<std::string, std::string>> environment;
   std::function<Expected<std::unique_ptr<Device>>()> create;

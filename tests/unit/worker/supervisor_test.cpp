@@ -181,7 +181,9 @@ TEST(Supervisor, AWorkerThatDiedBetweenTwoJobsIsReplacedWithoutAWord) {
 TEST(Supervisor, AnExecutableThatCannotBeRunIsAnErrorThatNamesIt) {
   WorkerOptions options;
   options.executable = "/nowhere/ssrkit";
-  Worker worker(DeviceEntry{"fake", "", ShaderTarget::kVulkan, {}, {}}, options);
+  DeviceEntry entry;
+  entry.id = "fake";
+  Worker worker(entry, options);
   const Expected<DeviceInfo> info = worker.info();
   ASSERT_FALSE(info);
   EXPECT_EQ(sentence(info.error()),
