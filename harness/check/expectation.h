@@ -31,6 +31,7 @@ struct TestCase {
   std::vector<std::pair<std::string, std::string>>
       parameters;         // setParameter's names and values, over the scene's
   std::string technique;  // what makes a picture of each trace; empty: the run's own, or none
+  std::string variant;    // how the job is asked in another way (frame/variants.h); empty: the plain job
 };
 
 struct Expectation {

@@ -18,7 +18,7 @@ bool isTruthItself(const Truth& truth, const Answer& answer) {
     case TruthKind::kCross:
       return answer.device == truth.name;
     case TruthKind::kCase:
-      return answer.case_name == truth.name;
+      return answer.stage.empty() ? sharesFrame(answer, truth.name) : answer.case_name == truth.name;
     case TruthKind::kSize:
       return sizeText(answer.size) == truth.name;
     case TruthKind::kRendered:
@@ -34,6 +34,12 @@ bool isTruthItself(const Truth& truth, const Answer& answer) {
 
 bool isAmong(const std::vector<std::string>& names, const std::string& name_sought) {
   return std::ranges::find(names, name_sought) != names.end();
+}
+
+bool framesAnyOf(const Answer& frame, const std::vector<std::string>& cases) {
+  return frame.frame_cases.empty() || std::ranges::any_of(cases, [&](const std::string& case_name) {
+           return sharesFrame(frame, case_name);
+         });
 }
 
 CheckResult missing(const TestFile& test, const Expectation& expectation, const std::string& scene) {
@@ -57,7 +63,8 @@ bool isAskedOf(const TestFile& test, const Expectation& expectation, const Answe
   const bool stage_fits = of_frame ? answer.stage.empty() : isAmong(expectation.stages, answer.stage);
   const bool over_cases = row(expectation.metric).over_cases;
   const bool case_fits = over_cases ? answer.case_name == expectation.cases.front()
-                                    : of_frame || isAmong(expectation.cases, answer.case_name);
+                         : of_frame ? framesAnyOf(answer, expectation.cases)
+                                    : isAmong(expectation.cases, answer.case_name);
   const bool size_fits = expectation.sizes.empty() ||
                          std::ranges::find(expectation.sizes, answer.size) != expectation.sizes.end();
   return stage_fits && case_fits && size_fits && answer.input == test.input &&

@@ -27,7 +27,7 @@ std::string parameterValueText(const TomlValue& value) {
 Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test, const KnownNames& known,
                                    const std::string& attempted) {
   FieldReader fields(table, "[[case]]", test.file, attempted);
-  std::vector<std::string> keys = {"name", "technique"};
+  std::vector<std::string> keys = {"name", "technique", "variant"};
   keys.insert(keys.end(), parameterNames().begin(), parameterNames().end());
   fields.allowOnly(keys);
   TestCase test_case;
@@ -40,12 +40,16 @@ Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test,
   if (!test_case.technique.empty() && !known.techniques.empty()) {
     fields.requireKnown("technique", test_case.technique, "technique", known.techniques);
   }
+  test_case.variant = fields.optionalText("variant").value_or("");
+  if (!test_case.variant.empty() && !known.variants.empty()) {
+    fields.requireKnown("variant", test_case.variant, "variant", known.variants);
+  }
   TraceParameters scratch;
   for (const TomlEntry& entry : table.entries) {
     if (!fields.ok()) {
       break;
     }
-    if (entry.key == "name" || entry.key == "technique") {
+    if (entry.key == "name" || entry.key == "technique" || entry.key == "variant") {
       continue;
     }
     using enum TomlValue::Kind;

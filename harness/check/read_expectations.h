@@ -21,6 +21,7 @@ struct KnownNames {
   std::vector<std::string> stages;
   std::vector<std::string> frames;
   std::vector<std::string> techniques;
+  std::vector<std::string> variants;
 };
 
 // What files that are more than expectations (claims) allow beyond them.

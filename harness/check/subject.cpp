@@ -16,16 +16,22 @@ struct AnswerKey {
   std::string device;
   Size size;
   std::string input;
+  std::string variant;      // of a frame's, where no case was named
+  bool names_case = false;  // by the truth
 };
 
 AnswerKey keyOf(const Answer& answer) {
-  return {answer.stage, answer.case_name, answer.device, answer.size, answer.input};
+  return {answer.stage, answer.case_name, answer.device, answer.size, answer.input, answer.variant, false};
+}
+
+// What the frame rendered does not depend on the tracing parameters, but on the job's variant.
+bool isFrameOf(const Answer& answer, const AnswerKey& key) {
+  return key.names_case ? sharesFrame(answer, key.case_name) : answer.variant == key.variant;
 }
 
 const Answer* find(const Subject& subject, const AnswerKey& key) {
   const auto matches = [&](const Answer& answer) {
-    // What the frame rendered does not depend on the tracing parameters.
-    const bool same_case = key.stage.empty() || answer.case_name == key.case_name;
+    const bool same_case = key.stage.empty() ? isFrameOf(answer, key) : answer.case_name == key.case_name;
     return answer.stage == key.stage && same_case && answer.device == key.device && answer.size == key.size &&
            answer.input == key.input;
   };
@@ -34,6 +40,11 @@ const Answer* find(const Subject& subject, const AnswerKey& key) {
 }
 
 }  // namespace
+
+bool sharesFrame(const Answer& frame, const std::string& case_name) {
+  return frame.frame_cases.empty() ||
+         std::ranges::find(frame.frame_cases, case_name) != frame.frame_cases.end();
+}
 
 std::variant<const Answer*, std::string> answerOfTruth(const Subject& subject, const Truth& truth) {
   AnswerKey key = keyOf(*subject.self);
@@ -46,6 +57,7 @@ std::variant<const Answer*, std::string> answerOfTruth(const Subject& subject, c
       break;
     case TruthKind::kCase:
       key.case_name = truth.name;
+      key.names_case = true;
       break;
     case TruthKind::kSize:
       key.size = parseSize(truth.name).value_or(Size{});

@@ -31,7 +31,9 @@ struct Answer {
   std::string case_name;
   std::string device;
   Size size;
-  std::string input;  // the device whose G-buffer was uploaded; empty: the device's own
+  std::string input;                     // the device whose G-buffer was uploaded; empty: the device's own
+  std::string variant;                   // of the job; empty: the plain one
+  std::vector<std::string> frame_cases;  // of a frame (stage empty): the cases that share it; empty: all
   TraceParameters parameters;
   const RayRecord* record = nullptr;
   const OracleInput* oracle_input = nullptr;   // over the very depth image that this stage read
@@ -53,6 +55,9 @@ struct Subject {
       pool;           // holds every answer that `truth` or `cases` may name, `self` among them or not
   std::string repro;  // the command that runs this check alone
 };
+
+// Whether the frame's answer is the one that the case was traced over.
+[[nodiscard]] bool sharesFrame(const Answer& frame, const std::string& case_name);
 
 // The answer that `truth` names, seen from the subject's own; or why there is none, as a sentence.
 [[nodiscard]] std::variant<const Answer*, std::string> answerOfTruth(const Subject& subject,

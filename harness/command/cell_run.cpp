@@ -109,6 +109,10 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
   frame.device = cell.device;
   frame.size = cell.size;
   frame.input = cell.input;
+  frame.variant = cell.variant;
+  frame.frame_cases = cell.cases;
+  // The plain frame is all cases'; that of a variant goes by its first case's name.
+  frame.case_name = cell.variant.empty() ? "" : cell.cases.front();
   frame.true_dist_view = cell.true_dist_view ? &*cell.true_dist_view : nullptr;
   for (const auto& [name, image] : cell.result->images) {
     frame.images.emplace(name, &image);

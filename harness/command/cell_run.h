@@ -19,7 +19,9 @@ namespace ssrkit {
 struct CellRun {
   std::string device;
   Size size;
-  std::string input;  // the device whose G-buffer was uploaded, "" its own
+  std::string input;               // the device whose G-buffer was uploaded, "" its own
+  std::string variant;             // of the job, "" the plain one
+  std::vector<std::string> cases;  // that the job was drawn for, in order
   std::optional<JobResult> result;
   std::optional<Error> error;
   std::optional<WorkerDeath> death;

@@ -14,7 +14,8 @@ namespace {
 
 CompileResult compileFor(const ShaderSource& source, ShaderTarget target, bool optimise) {
   const auto start = std::chrono::steady_clock::now();
-  Expected<ShaderModule> module = compileShader(source, target, {.optimise = optimise});
+  Expected<ShaderModule> module =
+      compileShader(source, target, {.form = optimise ? ModuleForm::kOptimised : ModuleForm::kPlain});
   const auto time = std::chrono::steady_clock::now() - start;
   return {target, std::move(module), std::chrono::duration_cast<std::chrono::nanoseconds>(time).count()};
 }

@@ -4,6 +4,7 @@
 #include "frame/frames.h"
 #include "frame/stages.h"
 #include "frame/techniques.h"
+#include "frame/variants.h"
 #include "scene/find_scene.h"
 
 namespace ssrkit {
@@ -21,6 +22,9 @@ KnownNames knownNames(const KitPaths& paths) {
   }
   for (const Technique& technique : techniques()) {
     known.techniques.push_back(technique.name);
+  }
+  for (const Variant& variant : variants()) {
+    known.variants.push_back(variant.name);
   }
   return known;
 }

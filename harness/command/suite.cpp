@@ -10,8 +10,8 @@
 #include "base/check.h"
 #include "check/judge.h"
 #include "command/scene_geometry.h"
-#include "frame/stages.h"
-#include "frame/techniques.h"
+#include "command/suite_jobs.h"
+#include "frame/variants.h"
 #include "scene/defaults.h"
 #include "scene/find_scene.h"
 
@@ -31,19 +31,6 @@ bool needsGeometry(const TestFile& test, bool of_record) {
   return std::ranges::any_of(test.expectations, [&](const Expectation& expectation) {
     return expectation.truth.kind == TruthKind::kGeometry && (expectation.buffer == "hit") == of_record;
   });
-}
-
-// As many frames as the test says, or as its techniques want.
-Sequence sequenceOf(const TestFile& test) {
-  Sequence sequence;
-  sequence.time_s = test.time_s;
-  sequence.time_step_s = test.time_step_s.value_or(sequence.time_step_s);
-  for (const TestCase& test_case : test.cases) {
-    const auto technique = findTechnique(test_case.technique);
-    sequence.frame_count = std::max(sequence.frame_count, technique ? (*technique)->frame_count : 1);
-  }
-  sequence.frame_count = test.frames.value_or(sequence.frame_count);
-  return sequence;
 }
 
 }  // namespace
@@ -97,35 +84,20 @@ Expected<SceneSource> Suite::source(const std::string& name_or_path,
   return source;
 }
 
-Job Suite::jobFor(const TestFile& test, const SceneSource& source, Size size) const {
-  Job job;
-  job.id = fmt::format("{} {}x{}", source.name, size.width, size.height);
-  job.scene_file = source.file;
-  job.camera_name = test.camera.empty() ? source.camera_name : test.camera;
-  job.mirror_material = options_.mirror_material;
-  job.environment = options_.environment;
-  job.size = size;
-  job.frame = test.frame;
-  job.sequence = sequenceOf(test);
-  job.timing.rounds = test.rounds;
-  job.replacements = options_.replacements;
-  job.shader_root = options_.shader_root;
-  for (const TestCase& test_case : test.cases) {
-    for (const std::string& name : test.stages) {
-      // Known, and the values are in range: both were checked when the file or the command line was read.
-      const auto stage = findStage(name);
-      SSRKIT_CHECK(stage.has_value());
-      job.traces.push_back({.stage = name,
-                            .parameters = askedParameters(source.defaults, **stage, test_case.parameters),
-                            .technique = test_case.technique});
-    }
+// A variant that is an environment needs a process that its driver is loaded in.
+Worker& Suite::workerFor(const std::string& device, const std::string& variant) {
+  const auto row = findVariant(variant);
+  if (!row || (*row)->environment.empty()) {
+    return workers_.at(device);
   }
-  if (source.gbuffer != nullptr) {
-    job.gbuffer = source.gbuffer->images;
-    job.gbuffer_camera = source.gbuffer->camera;
-    job.size = source.gbuffer->camera.size;
+  const std::pair key{device, variant};
+  if (const auto found = workers_of_variants_.find(key); found != workers_of_variants_.end()) {
+    return found->second;
   }
-  return job;
+  const auto entry = findDevice(device);
+  SSRKIT_CHECK(entry.has_value());
+  WorkerOptions options{.shader_root = options_.shader_root, .environment = (*row)->environment};
+  return workers_of_variants_.emplace(key, Worker(**entry, std::move(options))).first->second;
 }
 
 void Suite::runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
@@ -134,13 +106,15 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
   cell.device = device;
   cell.size = job.size;
   cell.input = input;
-  for (const TestCase& test_case : test.cases) {
+  cell.variant = job.variant;
+  for (const TestCase& test_case : casesOf(test, job.variant)) {
+    cell.cases.push_back(test_case.name);
     cell.case_of_trace.insert(cell.case_of_trace.end(), test.stages.size(), test_case.name);
   }
   if (options_.progress) {
     options_.progress(fmt::format("{} {} on {}", test.id, job.id, device));
   }
-  JobOutcome outcome = workers_.at(device).run(job, options_.limits);
+  JobOutcome outcome = workerFor(device, job.variant).run(job, options_.limits);
   if (auto* result = std::get_if<JobResult>(&outcome)) {
     cell.result = std::move(*result);
     cell.mask = maskOf(cell.result->images);
@@ -159,11 +133,16 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
     sizes = {source.gbuffer->camera.size};
   }
   for (const Size size : sizes) {
-    for (const std::string& device : devices) {
-      runCell(test, device, jobFor(test, source, size), "", run);
-    }
-    if (!test.input.empty()) {
-      runOverInput(test, devices, jobFor(test, source, size), run);
+    for (const std::string& variant : variantsOf(test)) {
+      const Job job = jobFor(test, source, options_, size, variant);
+      // Every variant is given the same G-buffer, the one of the first.
+      const bool renders_own = test.input.empty() || variant == test.cases.front().variant;
+      for (const std::string& device : renders_own ? devices : std::vector<std::string>{}) {
+        runCell(test, device, job, "", run);
+      }
+      if (!test.input.empty()) {
+        runOverInput(test, devices, job, run);
+      }
     }
   }
   const bool wants_oracle = options_.always_oracle || needsOracle(test);

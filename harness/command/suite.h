@@ -73,7 +73,7 @@ class Suite {
 
  private:
   explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
-  [[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, Size size) const;
+  [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
                SceneRun& run);
   void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);
@@ -81,6 +81,7 @@ class Suite {
 
   SuiteOptions options_;
   std::map<std::string, Worker> workers_;
+  std::map<std::pair<std::string, std::string>, Worker> workers_of_variants_;  // by device and variant
 };
 
 }  // namespace ssrkit

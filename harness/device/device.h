@@ -118,7 +118,8 @@ struct PassDesc {
   const DeviceBuffer* vertices = nullptr;
   std::vector<Attachment> colour;
   std::optional<Attachment> depth;
-  Rect viewport;  // viewport and scissor
+  Rect viewport;
+  std::optional<Rect> scissor = {};  // texels outside keep what they hold; absent: the viewport
   std::vector<DrawCall> draws{DrawCall{}};
 };
 

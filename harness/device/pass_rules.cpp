@@ -60,14 +60,19 @@ void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
   }
 }
 
+void checkRect(const Rect& rect, Size size) {
+  SSRKIT_CHECK_LE(0, rect.x);
+  SSRKIT_CHECK_LE(0, rect.y);
+  SSRKIT_CHECK_LE(1, rect.width);
+  SSRKIT_CHECK_LE(1, rect.height);
+  SSRKIT_CHECK_LE(rect.x + rect.width, size.width);
+  SSRKIT_CHECK_LE(rect.y + rect.height, size.height);
+}
+
 void checkViewport(const PassDesc& pass) {
   const Size size = attachmentSize(pass);
-  SSRKIT_CHECK_LE(0, pass.viewport.x);
-  SSRKIT_CHECK_LE(0, pass.viewport.y);
-  SSRKIT_CHECK_LE(1, pass.viewport.width);
-  SSRKIT_CHECK_LE(1, pass.viewport.height);
-  SSRKIT_CHECK_LE(pass.viewport.x + pass.viewport.width, size.width);
-  SSRKIT_CHECK_LE(pass.viewport.y + pass.viewport.height, size.height);
+  checkRect(pass.viewport, size);
+  checkRect(pass.scissor.value_or(pass.viewport), size);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> byte
 void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y);
 
 // Fails when the program reads a sampler or a block that the pass does not supply. Checks that the
-// attachments are the program's, all of one size, that the viewport lies inside them, that no mip is both
-// drawn to and sampled, and that integer images are not filtered.
+// attachments are the program's, all of one size, that viewport and scissor lie inside them, that no mip is
+// both drawn to and sampled, and that integer images are not filtered.
 [[nodiscard]] Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout);
 
 // No draw reads past the vertex buffer's end.

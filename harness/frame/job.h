@@ -54,7 +54,7 @@ struct Job {
   TimingRequest timing;
   std::vector<ShaderReplacement> replacements;
   std::filesystem::path shader_root;
-  bool optimise_spirv = false;
+  std::string variant;       // a row of frame/variants.h; empty: none
   bool want_gbuffer = true;  // read back and return the frame's images
 };
 

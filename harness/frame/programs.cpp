@@ -57,8 +57,9 @@ Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
 Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
   const auto replacement = settings.replacements.find(pass.name);
   const bool is_replaced = replacement != settings.replacements.end();
-  const std::string key = fmt::format("{}|{}|{}|{}", pass.name, settings.shader_root.string(),
-                                      is_replaced ? replacement->second.string() : "", settings.optimise);
+  const std::string key =
+      fmt::format("{}|{}|{}|{}", pass.name, settings.shader_root.string(),
+                  is_replaced ? replacement->second.string() : "", static_cast<int>(settings.form));
   const auto kept = kept_.find(key);
   if (kept != kept_.end() && !is_replaced) {
     return &kept->second;
@@ -75,7 +76,7 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
   const std::filesystem::path fragment_file = replacement != settings.replacements.end()
                                                   ? replacement->second
                                                   : std::filesystem::path(pass.fragment_shader);
-  const CompileOptions options{.optimise = settings.optimise, .use_cache = true};
+  const CompileOptions options{.form = settings.form, .use_cache = true};
   const auto vertex = compileShader({.root = settings.shader_root,
                                      .entry = pass.vertex_shader,
                                      .stage = ShaderStage::kVertex,

@@ -39,7 +39,7 @@ struct Program {
 struct CompileSettings {
   std::filesystem::path shader_root;
   std::map<std::string, std::filesystem::path> replacements;  // by pass name
-  bool optimise = false;
+  ModuleForm form = ModuleForm::kPlain;
 };
 
 class Programs {

@@ -15,6 +15,7 @@
 #include "frame/stages.h"
 #include "frame/techniques.h"
 #include "frame/tracing.h"
+#include "frame/variants.h"
 
 namespace ssrkit {
 
@@ -73,8 +74,11 @@ Expected<void> checkIsDrawn(const std::string& pass, const Job& job) {
 }  // namespace
 
 Expected<CompileSettings> compileSettings(const Job& job) {
-  CompileSettings settings{
-      .shader_root = job.shader_root, .replacements = {}, .optimise = job.optimise_spirv};
+  const auto variant = findVariant(job.variant);
+  if (!variant) {
+    return tl::make_unexpected(variant.error());
+  }
+  CompileSettings settings{.shader_root = job.shader_root, .replacements = {}, .form = (*variant)->modules};
   const std::vector<std::string> names = replaceableNames();
   for (const ShaderReplacement& replacement : job.replacements) {
     if (std::ranges::find(names, replacement.pass) == names.end()) {

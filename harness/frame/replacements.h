@@ -8,7 +8,7 @@
 namespace ssrkit {
 
 // How the job's passes are compiled. A replacement names a pass, or a stage for its trace shaders. Fails on
-// names that no pass has, and on a trace pass that the job does not draw.
+// variants and names that no pass has, and on a trace pass that the job does not draw.
 [[nodiscard]] Expected<CompileSettings> compileSettings(const Job& job);
 
 }  // namespace ssrkit

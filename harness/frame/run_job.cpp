@@ -5,39 +5,29 @@
 #include <map>
 #include <optional>
 
+#include "frame/draw_sequence.h"
 #include "frame/environment_images.h"
 #include "frame/frame_drawing.h"
 #include "frame/given_gbuffer.h"
-#include "frame/history.h"
 #include "frame/image_transfer.h"
 #include "frame/posed_scene.h"
 #include "frame/replacements.h"
+#include "frame/tiled_device.h"
 #include "frame/tracing.h"
+#include "frame/variants.h"
 
 namespace ssrkit {
 
 namespace {
 
-// Tells the histories of a job's traces apart.
-std::string ownerName(std::size_t trace) {
-  return fmt::format("trace {}", trace);
-}
-
-Expected<void> readTrace(Device& device, const Tracing& tracing, const FrameImages& images,
-                         const Progress& progress, JobResult& result) {
-  progress("read back");
-  auto read = tracing.read(device, images);
-  if (!read) {
-    return tl::make_unexpected(read.error());
-  }
-  result.traces.push_back(std::move(*read));
-  return {};
-}
+constexpr int kTileColumns = 3;
+constexpr int kTileRows = 2;
 
 }  // namespace
 
 struct JobRunner::Impl {
   Device& device;
+  TiledDevice tiled;
   Programs programs;
   std::map<std::string, PosedScene> scenes;
   std::optional<FrameImages> images;
@@ -53,14 +43,15 @@ struct JobRunner::Impl {
                                            UniformValues& values);
   [[nodiscard]] Expected<void> draw(const Job& job, const CompileSettings& settings, const Progress& progress,
                                     UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<void> drawSequence(const Job& job, FrameDrawing& drawing,
-                                            std::vector<Tracing>& tracings, UniformValues& values,
-                                            const Progress& progress, JobResult& result);
   [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
 };
 
 JobRunner::JobRunner(Device& device, ShaderTarget target)
-    : impl_(std::make_unique<Impl>(Impl{device, Programs(device, target), {}, std::nullopt})) {}
+    : impl_(std::make_unique<Impl>(Impl{device,
+                                        TiledDevice(device, kTileColumns, kTileRows),
+                                        Programs(device, target),
+                                        {},
+                                        std::nullopt})) {}
 
 JobRunner::~JobRunner() = default;
 
@@ -167,41 +158,23 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
     }
     tracings.push_back(std::move(*tracing));
   }
-  if (auto drawn = drawSequence(job, *drawing, tracings, values, progress, result); !drawn) {
+  const auto variant = findVariant(job.variant);
+  if (!variant) {
+    return tl::make_unexpected(variant.error());
+  }
+  const auto drawn = drawSequence({.device = (*variant)->is_tiled ? tiled : device,
+                                   .images = *images,
+                                   .frame = *drawing,
+                                   .traces = tracings,
+                                   .values = values,
+                                   .progress = progress,
+                                   .pose = [&](int frame) { return pose(job, frame, values, result); }},
+                                  job.sequence.frame_count, job.timing.rounds, result);
+  if (!drawn) {
     return drawn;
   }
   result.frame_passes = drawing->times();
   return {};
-}
-
-// All frames of the sequence, the last one as often as it is timed.
-Expected<void> JobRunner::Impl::drawSequence(const Job& job, FrameDrawing& drawing,
-                                             std::vector<Tracing>& tracings, UniformValues& values,
-                                             const Progress& progress, JobResult& result) {
-  History history;
-  history.watchFrame(drawing.passes());
-  for (std::size_t i = 0; i < tracings.size(); ++i) {
-    tracings[i].watchHistory(history, ownerName(i));
-  }
-  auto done = history.clear(device, *images);
-  const int last = job.sequence.frame_count - 1;
-  for (int frame = 0; done && frame <= last; ++frame) {
-    done = pose(job, frame, values, result);
-    const int rounds = frame == last ? job.timing.rounds : 0;
-    for (int round = 0; done && round <= rounds; ++round) {
-      done = drawing.draw(device, *images, values, progress);
-      for (std::size_t i = 0; done && i < tracings.size(); ++i) {
-        done = tracings[i].draw(device, *images, values, progress);
-        if (done && frame < last) {
-          done = history.keep(device, *images, ownerName(i));
-        } else if (done && round == rounds) {
-          done = readTrace(device, tracings[i], *images, progress, result);
-        }
-      }
-    }
-    done = done && frame < last ? history.keep(device, *images, "") : done;
-  }
-  return done;
 }
 
 Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {

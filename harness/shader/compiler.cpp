@@ -24,7 +24,7 @@ namespace {
 struct Task {
   const SourceTree& tree;
   FrontEndOptions options;
-  bool optimise = false;
+  ModuleForm form = ModuleForm::kPlain;
   std::string attempted;
 
   [[nodiscard]] const std::string& where() const { return tree.files.front().shown_path; }
@@ -67,8 +67,8 @@ Expected<ShaderModule> buildModule(const Task& task) {
   if (const Expected<void> valid = validate(*spirv); !valid) {
     return tl::make_unexpected(valid.error());
   }
-  if (task.optimise) {
-    spirv = optimiseSpirv(*spirv, task.options.target, task.where(), task.attempted);
+  if (task.form != ModuleForm::kPlain) {
+    spirv = rewriteSpirv(*spirv, task.form, task.options.target, task.where(), task.attempted);
     if (!spirv) {
       return tl::make_unexpected(spirv.error());
     }
@@ -162,7 +162,7 @@ Expected<ShaderModule> compileShader(const ShaderSource& source, ShaderTarget ta
   if (!preamble) {
     return tl::make_unexpected(preamble.error());
   }
-  const std::string recipe = compileRecipe(*tree, *preamble, source.stage, target, options.optimise);
+  const std::string recipe = compileRecipe(*tree, *preamble, source.stage, target, options.form);
   const SpirvCache cache = options.use_cache ? SpirvCache::ofUser() : SpirvCache({});
   std::optional<ShaderModule> cached = cache.find(recipe);
   Expected<ShaderModule> module = tl::make_unexpected(Error{});
@@ -171,7 +171,7 @@ Expected<ShaderModule> compileShader(const ShaderSource& source, ShaderTarget ta
     module = std::move(*cached);
   } else {
     const FrontEndOptions front_end{target, source.stage, *preamble, false};
-    const Task task{*tree, front_end, options.optimise, attempted};
+    const Task task{*tree, front_end, options.form, attempted};
     module = buildIsolated(task);
   }
   if (!module) {

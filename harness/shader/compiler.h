@@ -35,8 +35,16 @@ struct ShaderModule {
   bool from_cache = false;
 };
 
+// What is done to a module after glslang. None of them may change what a right driver computes.
+enum class ModuleForm : std::uint8_t {
+  kPlain,
+  kOptimised,      // spirv-opt -O
+  kOptimisedSize,  // spirv-opt -Os
+  kRobust,         // spirv-opt --graphics-robust-access: every index is clamped to its array
+};
+
 struct CompileOptions {
-  bool optimise = false;  // spirv-opt -O
+  ModuleForm form = ModuleForm::kPlain;
   bool use_cache = true;
 };
 

@@ -30,10 +30,10 @@ void SpirvCache::store(const std::string& recipe, const ShaderModule& module) co
 }
 
 std::string compileRecipe(const SourceTree& tree, const std::string& preamble, ShaderStage stage,
-                          ShaderTarget target, bool optimise) {
+                          ShaderTarget target, ModuleForm form) {
   std::string recipe =
-      fmt::format("{}, {}\ntarget {} stage {} optimise {}\n{}", frontEndVersion(), spirvToolsVersion(),
-                  static_cast<int>(target), static_cast<int>(stage), optimise, preamble);
+      fmt::format("{}, {}\ntarget {} stage {} form {}\n{}", frontEndVersion(), spirvToolsVersion(),
+                  static_cast<int>(target), static_cast<int>(stage), static_cast<int>(form), preamble);
   for (const SourceFile& file : tree.files) {
     recipe += fmt::format("file {} {}\n", file.text.size(), hashName(file.text));
     for (const IncludeEdge& edge : file.includes) {

@@ -28,6 +28,6 @@ class SpirvCache {
 
 // Versions, target, stage, options, preamble, and the hash of every source and where each #include leads.
 [[nodiscard]] std::string compileRecipe(const SourceTree& tree, const std::string& preamble,
-                                        ShaderStage stage, ShaderTarget target, bool optimise);
+                                        ShaderStage stage, ShaderTarget target, ModuleForm form);
 
 }  // namespace ssrkit

@@ -23,6 +23,22 @@ spvtools::MessageConsumer collectInto(std::vector<std::string>& messages) {
   };
 }
 
+void registerPasses(spvtools::Optimizer& optimiser, ModuleForm form) {
+  switch (form) {
+    case ModuleForm::kPlain:
+      break;
+    case ModuleForm::kOptimised:
+      optimiser.RegisterPerformancePasses();
+      break;
+    case ModuleForm::kOptimisedSize:
+      optimiser.RegisterSizePasses();
+      break;
+    case ModuleForm::kRobust:
+      optimiser.RegisterPass(spvtools::CreateGraphicsRobustAccessPass());
+      break;
+  }
+}
+
 tl::unexpected<Error> refused(std::string problem, std::vector<std::string> reasons, const std::string& where,
                               const std::string& attempted) {
   tl::unexpected<Error> error = inputError(attempted, std::move(problem), where);
@@ -45,13 +61,13 @@ Expected<void> validateSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarg
                  attempted);
 }
 
-Expected<std::vector<std::uint32_t>> optimiseSpirv(const std::vector<std::uint32_t>& spirv,
-                                                   ShaderTarget target, const std::string& where,
-                                                   const std::string& attempted) {
+Expected<std::vector<std::uint32_t>> rewriteSpirv(const std::vector<std::uint32_t>& spirv, ModuleForm form,
+                                                  ShaderTarget target, const std::string& where,
+                                                  const std::string& attempted) {
   std::vector<std::string> messages;
   spvtools::Optimizer optimiser(environmentOf(target));
   optimiser.SetMessageConsumer(collectInto(messages));
-  optimiser.RegisterPerformancePasses();
+  registerPasses(optimiser, form);
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // validated before and after
   options.set_preserve_bindings(true);

@@ -14,11 +14,11 @@ namespace ssrkit {
 [[nodiscard]] Expected<void> validateSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarget target,
                                            const std::string& where, const std::string& attempted);
 
-// spirv-opt -O. Bindings and specialisation constants that nothing uses stay declared.
-[[nodiscard]] Expected<std::vector<std::uint32_t>> optimiseSpirv(const std::vector<std::uint32_t>& spirv,
-                                                                 ShaderTarget target,
-                                                                 const std::string& where,
-                                                                 const std::string& attempted);
+// The module in another form. Bindings and specialisation constants that nothing uses stay declared.
+[[nodiscard]] Expected<std::vector<std::uint32_t>> rewriteSpirv(const std::vector<std::uint32_t>& spirv,
+                                                                ModuleForm form, ShaderTarget target,
+                                                                const std::string& where,
+                                                                const std::string& attempted);
 
 // "SPIRV-Tools v2023.1"
 [[nodiscard]] std::string spirvToolsVersion();

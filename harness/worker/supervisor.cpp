@@ -57,7 +57,12 @@ struct Worker::Impl {
   using Reply = std::variant<Message, WorkerDeath>;
 
   Impl(const DeviceEntry& entry, WorkerOptions worker_options)
-      : device_id(entry.id), environment(entry.environment), options(std::move(worker_options)) {}
+      : device_id(entry.id), environment(entry.environment), options(std::move(worker_options)) {
+    for (const auto& [name, value] : options.environment) {
+      std::erase_if(environment, [&key = name](const auto& pair) { return pair.first == key; });
+      environment.emplace_back(name, value);
+    }
+  }
 
   Expected<void> ensureStarted();
   Expected<void> greet();

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "device/registry.h"
 #include "device/traits.h"
@@ -38,6 +40,7 @@ struct WorkerOptions {
   std::filesystem::path shader_root;                    // where the start-up probe finds its shaders
   std::filesystem::path executable = "/proc/self/exe";  // called as `EXECUTABLE __worker DEVICE`
   std::chrono::milliseconds start_limit{60000};         // from the start to the device's identity and traits
+  std::vector<std::pair<std::string, std::string>> environment = {};  // set over the device's own
 };
 
 // One device's worker. It is started at the first call, and again after a death. Different Workers may be

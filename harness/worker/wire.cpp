@@ -95,7 +95,7 @@ template <class Archive, Is<Job> T>
 void fields(Archive& archive, T& job) {
   archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.environment, job.gbuffer,
           job.gbuffer_camera, job.size, job.frame, job.sequence, job.traces, job.timing.rounds,
-          job.replacements, job.shader_root, job.optimise_spirv, job.want_gbuffer);
+          job.replacements, job.shader_root, job.variant, job.want_gbuffer);
 }
 
 template <class Archive, Is<PassTime> T>

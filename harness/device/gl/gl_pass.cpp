@@ -137,7 +137,8 @@ Expected<PassTime> drawGlPass(const std::shared_ptr<GlSession>& session, GlSampl
   bindSampled(gl, samplers, pass.sampled);
   gl.BindFramebuffer(GL_FRAMEBUFFER, target->name());
   gl.Viewport(pass.viewport.x, pass.viewport.y, pass.viewport.width, pass.viewport.height);
-  gl.Scissor(pass.viewport.x, pass.viewport.y, pass.viewport.width, pass.viewport.height);
+  const Rect scissor = pass.scissor.value_or(pass.viewport);
+  gl.Scissor(scissor.x, scissor.y, scissor.width, scissor.height);
 
   const PassClock clock;
   timestamps.begin();

@@ -92,15 +92,16 @@ void beginRendering(const DeviceFunctions& functions, VkCommandBuffer commands, 
   functions.vkCmdBeginRendering(commands, &info);
 }
 
-void setViewport(const DeviceFunctions& functions, VkCommandBuffer commands, const Rect& rect) {
+void setViewport(const DeviceFunctions& functions, VkCommandBuffer commands, const Rect& rect,
+                 const Rect& cut) {
   const VkViewport viewport{static_cast<float>(rect.x),
                             static_cast<float>(rect.y),
                             static_cast<float>(rect.width),
                             static_cast<float>(rect.height),
                             0.0F,
                             1.0F};
-  const VkRect2D scissor{{rect.x, rect.y},
-                         {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height)}};
+  const VkRect2D scissor{{cut.x, cut.y},
+                         {static_cast<std::uint32_t>(cut.width), static_cast<std::uint32_t>(cut.height)}};
   functions.vkCmdSetViewport(commands, 0, 1, &viewport);
   functions.vkCmdSetScissor(commands, 0, 1, &scissor);
 }
@@ -147,7 +148,7 @@ void recordPass(const DeviceFunctions& functions, VkCommandBuffer commands, cons
   recordBarriers(functions, commands, pass, program.layout());
   beginRendering(functions, commands, pass, views);
   functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, program.pipeline());
-  setViewport(functions, commands, pass.viewport);
+  setViewport(functions, commands, pass.viewport, pass.scissor.value_or(pass.viewport));
   if (pass.vertices != nullptr) {
     const VkBuffer vertices = static_cast<const VulkanBuffer*>(pass.vertices)->get();
     const VkDeviceSize offset = 0;

@@ -80,5 +80,36 @@ TEST(Judge, MetricsOverCasesAreAskedOnce) {
   EXPECT_EQ(results[0].outcome, Outcome::kPass) << results[0].message;
 }
 
+TEST(Judge, AVariantsFrameIsHeldAgainstThePlainOne) {
+  Bench bench;
+  const auto add_frame = [&](const std::string& variant, std::vector<std::string> cases, float lit) {
+    Answer& frame = bench.add("", shiftedRecord({4, 4}));
+    frame.variant = variant;
+    frame.case_name = variant.empty() ? "" : cases.front();
+    frame.frame_cases = std::move(cases);
+    bench.setImage(frame, "lit", lit);
+  };
+  add_frame("", {"plain", "thin"}, 1.0F);
+  add_frame("tiled", {"in_tiles"}, 1.0F);
+  add_frame("robust", {"clamped"}, 2.0F);
+  const std::string cases =
+      "[[case]]\nname = \"plain\"\n[[case]]\nname = \"thin\"\nthickness_m = 0.1\n"
+      "[[case]]\nname = \"in_tiles\"\nvariant = \"tiled\"\n"
+      "[[case]]\nname = \"clamped\"\nvariant = \"robust\"\n";
+  const auto results =
+      judge(fileOf(cases + "[[expect]]\nmetric = \"identical\"\nbuffer = \"lit\"\ntruth = \"case:plain\"\n"),
+            "made", bench.answers, noCommand);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].case_name, "in_tiles");
+  EXPECT_EQ(results[0].outcome, Outcome::kPass) << results[0].message;
+  EXPECT_EQ(results[1].case_name, "clamped");
+  EXPECT_EQ(results[1].outcome, Outcome::kFail);
+  const auto of_some = judge(fileOf(cases + "[[expect]]\nmetric = \"identical\"\nbuffer = \"lit\"\n"
+                                            "cases = [\"in_tiles\"]\ntruth = \"case:plain\"\n"),
+                             "made", bench.answers, noCommand);
+  ASSERT_EQ(of_some.size(), 1U);
+  EXPECT_EQ(of_some[0].case_name, "in_tiles");
+}
+
 }  // namespace
 }  // namespace ssrkit

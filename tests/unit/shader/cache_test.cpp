@@ -71,7 +71,7 @@ TEST_F(Cache, MissesWhenANewFileComesFirstInTheSearch) {
 TEST_F(Cache, KeepsTargetsOptionsStagesAndDefinesApart) {
   EXPECT_FALSE(compileCached().from_cache);
   EXPECT_FALSE(compileCached({}, ShaderTarget::kVulkan).from_cache);
-  EXPECT_FALSE(compileCached({.optimise = true}).from_cache);
+  EXPECT_FALSE(compileCached({.form = ModuleForm::kOptimised}).from_cache);
   const ShaderSource defined{root(), "a.frag", ShaderStage::kFragment, {{"A", "1"}}};
   EXPECT_FALSE(compileShader(defined, ShaderTarget::kOpenGl)->from_cache);
   EXPECT_TRUE(compileShader(defined, ShaderTarget::kOpenGl)->from_cache);

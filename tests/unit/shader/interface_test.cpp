@@ -128,8 +128,9 @@ TEST_F(Interface, KeepsSpecConstantsWithTheirDefaultsEvenOptimised) {
         "layout(constant_id = 5) const bool kTuned = true;\nlayout(location = 0) out float y;\n"
         "void main() { y = kTuned ? kScale : float(kBias); }\n");
   for (const ShaderTarget target : kBothTargets) {
-    for (const bool optimise : {false, true}) {
-      const auto module = compileEntry("a.frag", target, {.optimise = optimise, .use_cache = false});
+    for (const ModuleForm form :
+         {ModuleForm::kPlain, ModuleForm::kOptimised, ModuleForm::kOptimisedSize, ModuleForm::kRobust}) {
+      const auto module = compileEntry("a.frag", target, {.form = form, .use_cache = false});
       ASSERT_TRUE(module);
       const std::vector<SpecConstantInfo>& constants = module->interface.spec_constants;
       ASSERT_EQ(constants.size(), 3U);

@@ -19,9 +19,10 @@ TEST_F(KitShaders, AllCompileForBothTargetsOptimisedOrNot) {
     }
     ++count;
     for (const ShaderTarget target : kBothTargets) {
-      for (const bool optimise : {false, true}) {
-        const Expected<ShaderModule> module = compileShader(
-            {kit, entry.path().filename(), *stage, {}}, target, {.optimise = optimise, .use_cache = false});
+      for (const ModuleForm form :
+           {ModuleForm::kPlain, ModuleForm::kOptimised, ModuleForm::kOptimisedSize, ModuleForm::kRobust}) {
+        const Expected<ShaderModule> module = compileShader({kit, entry.path().filename(), *stage, {}},
+                                                            target, {.form = form, .use_cache = false});
         EXPECT_TRUE(module) << sentence(module.error());
       }
     }

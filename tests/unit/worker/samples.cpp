@@ -115,7 +115,7 @@ Job sampleJob() {
   job.timing.rounds = 11;
   job.replacements = {{"trace_hiz", "/tmp/mine.frag"}};
   job.shader_root = "shaders";
-  job.optimise_spirv = true;
+  job.variant = "tiled";
   job.want_gbuffer = false;
   return job;
 }
@@ -191,8 +191,7 @@ bool sameBits(const Job& a, const Job& b) {
          a.timing.rounds == b.timing.rounds &&
          std::equal(a.replacements.begin(), a.replacements.end(), b.replacements.begin(),
                     b.replacements.end(), same_replacement) &&
-         a.shader_root == b.shader_root && a.optimise_spirv == b.optimise_spirv &&
-         a.want_gbuffer == b.want_gbuffer;
+         a.shader_root == b.shader_root && a.variant == b.variant && a.want_gbuffer == b.want_gbuffer;
 }
 
 bool sameBits(const JobResult& a, const JobResult& b) {

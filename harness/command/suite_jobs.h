@@ -1,0 +1,25 @@
+// The jobs that an expectation file asks for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/expectation.h"
+#include "command/suite.h"
+#include "frame/job.h"
+#include "frame/sequence.h"
+
+namespace ssrkit {
+
+// As many frames as the test says, or as its techniques want.
+[[nodiscard]] Sequence sequenceOf(const TestFile& test);
+
+// The variants of its cases, each once, in the order of the cases.
+[[nodiscard]] std::vector<std::string> variantsOf(const TestFile& test);
+[[nodiscard]] std::vector<TestCase> casesOf(const TestFile& test, const std::string& variant);
+
+// One job for all cases of one variant, which share a G-buffer: a trace for each case and stage, in order.
+[[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& options,
+                         Size size, const std::string& variant);
+
+}  // namespace ssrkit

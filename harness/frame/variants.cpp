@@ -1,0 +1,33 @@
+#include "frame/variants.h"
+
+#include "frame/find_row.h"
+
+namespace ssrkit {
+
+std::span<const Variant> variants() {
+  static const std::vector<Variant> rows = {
+      {.name = "spirv_opt", .about = "every module through spirv-opt -O", .modules = ModuleForm::kOptimised},
+      {.name = "spirv_opt_size",
+       .about = "every module through spirv-opt -Os",
+       .modules = ModuleForm::kOptimisedSize},
+      {.name = "robust",
+       .about = "every module through spirv-opt --graphics-robust-access: no index leaves its array",
+       .modules = ModuleForm::kRobust},
+      {.name = "tiled",
+       .about = "full-screen passes drawn in six scissored tiles, whose borders cut through 2x2 quads",
+       .is_tiled = true},
+      {.name = "threads_0",
+       .about = "Mesa's software rasteriser without threads",
+       .environment = {{"LP_NUM_THREADS", "0"}}},
+      {.name = "threads_1", .about = "with one thread", .environment = {{"LP_NUM_THREADS", "1"}}},
+      {.name = "threads_2", .about = "with two threads", .environment = {{"LP_NUM_THREADS", "2"}}},
+  };
+  return rows;
+}
+
+Expected<const Variant*> findVariant(std::string_view name) {
+  static const Variant plain{.name = "", .about = "the job as it is"};
+  return name.empty() ? Expected<const Variant*>(&plain) : findRow(variants(), name, "variant");
+}
+
+}  // namespace ssrkit
