@@ -33,6 +33,14 @@ bool needsGeometry(const TestFile& test, bool of_record) {
   });
 }
 
+// A timing that a busy machine made too noisy to judge is measured once more, over this many times the
+// rounds. A verdict, good or bad, is never asked again.
+constexpr int kLongerTiming = 2;
+
+bool isInconclusive(const CheckResult& check) {
+  return check.outcome == Outcome::kInconclusive;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Suite>> Suite::create(SuiteOptions options) {
@@ -126,6 +134,16 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
 }
 
 SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
+  SceneRun run = runOnce(test, source);
+  if (test.rounds > 0 && std::ranges::any_of(run.checks, isInconclusive)) {
+    TestFile longer = test;
+    longer.rounds *= kLongerTiming;
+    run = runOnce(longer, source);
+  }
+  return run;
+}
+
+SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
   SceneRun run{.source = &source, .cells = {}, .answers = {}, .checks = {}};
   const std::vector<std::string>& devices = test.devices.empty() ? options_.devices : test.devices;
   std::vector<Size> sizes = test.sizes.empty() ? std::vector{options_.size} : test.sizes;

@@ -58,7 +58,7 @@ class Suite {
   // Starts no worker yet.
   [[nodiscard]] static Expected<std::unique_ptr<Suite>> create(SuiteOptions options);
 
-  // Runs one test over one scene and judges it.
+  // Runs one test over one scene and judges it. A timing too noisy to judge is measured once more, longer.
   [[nodiscard]] SceneRun run(const TestFile& test, const SceneSource& source);
 
   // Identity and traits of every device of the run; the first that is absent is an error.
@@ -74,6 +74,7 @@ class Suite {
  private:
   explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
   [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
+  [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
                SceneRun& run);
   void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);

@@ -45,6 +45,7 @@ Expected<const typename Rows::value_type*> findWord(const GltfDocument& document
     return &*row;
   }
   std::vector<std::string> names;
+  names.reserve(rows.size());
   for (const auto& r : rows) {
     names.emplace_back(r.name);
   }

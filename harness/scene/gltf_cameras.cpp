@@ -96,6 +96,7 @@ Expected<void> moveToFront(const GltfDocument& document, const FoundCameras& fou
                                   "name a perspective camera");
   }
   std::vector<std::string> names;
+  names.reserve(cameras.size());
   for (const SceneCamera& camera : cameras) {
     names.push_back(camera.name);
   }

@@ -108,6 +108,15 @@ class Verdicts(CompareTest):
         self.assert_exit(4, result)
         self.assertIn("small: inconclusive\n", result.out)
 
+    def test_a_timing_too_noisy_to_judge_is_measured_once_more(self):
+        # Fewer than eight rounds never settle a ratio; twice four can.
+        timed = SMALL.replace('stages = ["dda"]', 'stages = ["dda"]\nrounds = 4') \
+            .replace('"mean_lookups"', '"pass_cpu_share"\npasses = ["trace"]\nover = ["trace"]') \
+            .replace("max = 1000", "max = 1.5")
+        result = self.compare("--device", "gl-osmesa", "--json", small=timed)
+        self.assert_exit(0, result)
+        self.assertIn("median of 8 interleaved rounds 1,", result.out)
+
     def test_a_worker_that_dies_leaves_it_unknown(self):
         self.write("kit/tests/claims/small.toml", SMALL)
         result = self.ssrkit("compare", "--out", "out", "--device", "gl-osmesa",
