@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,12 @@ namespace ssrkit {
 struct HistogramBin {
   std::string label;
   std::size_t count = 0;
+};
+
+// Where texels differ, at most 160 x 90 dots: 0 nothing, 255 the worst.
+struct FindingMap {
+  Size size;
+  std::vector<std::uint8_t> dots;  // row by row from the upper left
 };
 
 struct CheckResult {
@@ -38,6 +45,7 @@ struct CheckResult {
   std::vector<HistogramBin> histogram;  // where the value is one of a distribution
   std::string message;  // several lines on a failure: where, yours, expected, how widespread, likely cause
   std::string repro;    // the command that runs this check alone
+  std::optional<FindingMap> finding_map;  // of what counts against it, on a failure
 };
 
 // "<= 0 rays", ">= 13 ratio", "0.5 .. 2 px"; empty without bounds.

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "check/failure_message.h"
+#include "check/finding_map.h"
 #include "check/measure.h"
 
 namespace ssrkit {
@@ -61,6 +62,9 @@ CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
   if (result.outcome == Outcome::kPass) {
     result.message = measurement.remark;
   } else {
+    if (!measurement.findings.empty()) {
+      result.finding_map = findingMap(self.size, measurement.findings);
+    }
     result.message = failureMessage(result, expectation, std::move(measurement));
   }
   return result;

@@ -29,6 +29,7 @@
 #include "frame/stages.h"
 #include "report/geometry_table.h"
 #include "report/pass_table.h"
+#include "report/report_files.h"
 #include "report/results_json.h"
 #include "report/table.h"
 #include "scene/find_scene.h"
@@ -208,7 +209,7 @@ Expected<int> runCommand(const RunOptions& options) {
       .report = {.kit_version = SSRKIT_VERSION, .started = utcNow(), .command = options.command}};
   done = done ? addDevices(**suite, findings.report) : done;
   done = done ? runScenes(**suite, request->test, request->scenes, options.out, findings) : done;
-  done = done ? writeResultsJson(options.out / "results.json", findings.report) : done;
+  done = done ? writeReportFiles(options.out, findings.report) : done;
   progress.clear();
   return done ? Expected<int>(finish(findings, options)) : tl::make_unexpected(done.error());
 }

@@ -17,7 +17,7 @@
 #include "command/progress_line.h"
 #include "command/suite.h"
 #include "command/unit_tests.h"
-#include "report/results_json.h"
+#include "report/report_files.h"
 #include "scene/find_scene.h"
 
 namespace ssrkit {
@@ -147,7 +147,7 @@ Expected<int> testCommand(const TestOptions& options) {
       return tl::make_unexpected(checks.error());
     }
     report.checks = std::move(*checks);
-    if (const auto written = writeResultsJson(options.out / "results.json", report); !written) {
+    if (const auto written = writeReportFiles(options.out, report); !written) {
       return tl::make_unexpected(written.error());
     }
   }

@@ -1,5 +1,6 @@
 """Runs the program as its users do, and says what every run must hold."""
 
+import csv
 import json
 import os
 import re
@@ -11,6 +12,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 import exr
@@ -107,7 +109,7 @@ def read_json(path):
 
 
 def check_whole(path):
-    """Raises unless the file is a whole EXR, PNG, JSON, TOML or HTML file."""
+    """Raises unless the file is a whole EXR, PNG, JSON, TOML, XML, CSV or HTML file."""
     if path.endswith(".exr"):
         exr.read(path)
     elif path.endswith(".json"):
@@ -115,6 +117,12 @@ def check_whole(path):
     elif path.endswith(".toml"):
         with open(path, "rb") as file:
             tomllib.load(file)
+    elif path.endswith(".xml"):
+        xml.etree.ElementTree.parse(path)
+    elif path.endswith(".csv"):
+        with open(path, newline="") as file:
+            if len({len(row) for row in csv.reader(file, strict=True)}) != 1:
+                raise ValueError(f"{path}: its rows are not equally long")
     elif path.endswith(".html"):
         with open(path) as file:
             if not file.read().endswith("</html>\n"):

@@ -94,7 +94,7 @@ class Json(kit.KitTest):
     def test_files_of_a_run(self):
         self.trace("--stage", "hiz", device=None)
         names = self.assert_whole_files(self.path("out"))
-        wanted = ["results.json", "m2/camera.json", "m2/oracle/hit.exr"]
+        wanted = ["results.json", "checks.csv", "junit.xml", "m2/camera.json", "m2/oracle/hit.exr"]
         for device in kit.DEVICES:
             wanted += [f"m2/{device}/lit.exr", f"m2/{device}/contact_sheet.png"]
             wanted += [f"m2/{device}/gbuffer/{image}.exr" for image in
