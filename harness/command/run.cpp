@@ -133,6 +133,7 @@ void collect(const SceneRun& run, const std::vector<RunRow>& rows, Findings& fin
       }
     }
   }
+  addToLedger(run.ledger, report.ledger);
   report.rows.insert(report.rows.end(), rows.begin(), rows.end());
   report.checks.insert(report.checks.end(), run.checks.begin(), run.checks.end());
 }
@@ -201,6 +202,7 @@ Expected<int> runCommand(const RunOptions& options) {
                               .replacements = request->replacements,
                               .limits = {},
                               .always_oracle = true,
+                              .wants_ledger = true,
                               .geometry_of_first_device = true,
                               .command = fmt::format("{}", fmt::join(options.command, " ")),
                               .progress = [&](const std::string& text) { progress.show(text); }});

@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "check/judge.h"
+#include "command/half_buffers.h"
 #include "command/scene_geometry.h"
 #include "command/suite_jobs.h"
 #include "frame/variants.h"
@@ -144,7 +145,7 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
 }
 
 SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
-  SceneRun run{.source = &source, .cells = {}, .answers = {}, .checks = {}};
+  SceneRun run{.source = &source, .cells = {}, .answers = {}, .checks = {}, .ledger = {}};
   const std::vector<std::string>& devices = test.devices.empty() ? options_.devices : test.devices;
   std::vector<Size> sizes = test.sizes.empty() ? std::vector{options_.size} : test.sizes;
   if (source.gbuffer != nullptr) {
@@ -182,6 +183,9 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
     addAnswers(cell, run.answers);
   }
   judge(test, source, run);
+  if (options_.wants_ledger) {
+    addToLedger(run.answers, halfBuffers(), run.ledger);
+  }
   return run;
 }
 

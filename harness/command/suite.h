@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "check/check_result.h"
 #include "check/expectation.h"
+#include "check/ledger.h"
 #include "check/subject.h"
 #include "command/cell_run.h"
 #include "frame/gbuffer_files.h"
@@ -36,18 +37,20 @@ struct SceneRun {
   std::deque<CellRun> cells;
   std::vector<Answer> answers;
   std::vector<CheckResult> checks;
+  Ledger ledger;  // of every two devices' answers, where it is wanted
 };
 
 struct SuiteOptions {
   std::filesystem::path shader_root;
   std::filesystem::path scenes_root;
-  std::vector<std::string> devices;  // the run's, where a test names none
-  Size size;                         // likewise
+  std::vector<std::string> devices;    // the run's, where a test names none
+  Size size;                           // likewise
   std::string mirror_material;
   std::optional<EnvironmentChoice> environment;
   std::vector<ShaderReplacement> replacements;
   JobLimits limits;
   bool always_oracle = false;
+  bool wants_ledger = false;
   bool geometry_of_first_device = false;  // Oracle B too, over the first device's G-buffer
   std::string command;                    // what the user typed, for the rerun line
   std::function<void(const std::string&)> progress;
@@ -76,8 +79,8 @@ class Suite {
   [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
   [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
-               SceneRun& run);
-  void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);
+               SceneRun& run) const;
+  void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run) const;
   void judge(const TestFile& test, const SceneSource& source, SceneRun& run) const;
 
   SuiteOptions options_;

@@ -13,6 +13,7 @@
 #include "report/finding_picture.h"
 #include "report/html_text.h"
 #include "report/json_parts.h"
+#include "report/ledger_table.h"
 #include "report/plain_utf8.h"
 
 namespace ssrkit {
@@ -122,6 +123,32 @@ std::string devicesOf(const RunReport& report) {
              : fmt::format("<h2>Devices</h2>\n<div class=\"scroll\"><table>{}</table></div>\n", rows);
 }
 
+std::string ledgerOf(const RunReport& report) {
+  if (report.ledger.empty()) {
+    return {};
+  }
+  std::string rows = "<tr>";
+  for (const std::string& heading : ledgerHeadings()) {
+    rows += fmt::format("<th>{}</th>", htmlText(heading));
+  }
+  rows += "</tr>\n";
+  for (const std::vector<std::string>& row : ledgerRows(report.ledger)) {
+    rows += "<tr>";
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      rows += fmt::format("<td{}>{}</td>", column < 2 ? "" : " class=\"number\"",
+                          htmlText(plainUtf8(row[column])));
+    }
+    rows += "</tr>\n";
+  }
+  return fmt::format(
+      "<h2>Ledger</h2>\n<p class=\"quiet\">How far apart the devices' answers lie. same %: texels with the "
+      "same bits; "
+      "p50, p99, max: distance in numbers of the buffer's own format; flips: another class, hit texel or "
+      "coverage."
+      "</p>\n<details{}><summary>{} rows</summary><div class=\"scroll\"><table>{}</table></div></details>\n",
+      report.ledger.size() <= 40 ? " open" : "", report.ledger.size(), rows);
+}
+
 std::string countsOf(const RunReport& report) {
   std::array<std::size_t, kOutcomeCount> counts{};
   std::vector<Outcome> outcomes;
@@ -176,6 +203,7 @@ Expected<std::string> checksHtml(const RunReport& report) {
       "worst outcome. Choose a cell to see its checks.</p>\n<div class=\"scroll\"><table class=\"matrix\" "
       "id=\"matrix\"></table></div>\n";
   page += kFilters;
+  page += ledgerOf(report);
   page += fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n",
                       *data, kChecksScript);
   return page + "</body></html>\n";

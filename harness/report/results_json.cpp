@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "check/outcome.h"
 #include "report/json_parts.h"
+#include "report/ledger_json.h"
 
 namespace ssrkit {
 
@@ -171,7 +172,8 @@ std::string resultsJson(const RunReport& report) {
       {"checks", listOf(report.checks, [&](const CheckResult& check) { return checkOf(check, report); })},
       {"traces", listOf(report.rows, traceOf)},
       {"frames", listOf(report.frames, frameOf)},
-      {"geometry", listOf(report.geometries, geometryOf)}};
+      {"geometry", listOf(report.geometries, geometryOf)},
+      {"ledger", ledgerJson(report.ledger)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -13,6 +13,7 @@
 #include "base/size.h"
 #include "check/check_result.h"
 #include "check/geometry_verdict.h"
+#include "check/ledger.h"
 #include "check/outcome.h"
 #include "check/verdict.h"
 #include "device/device.h"
@@ -98,6 +99,7 @@ struct RunReport {
   std::vector<RunRow> rows;
   std::vector<FrameRow> frames;
   std::vector<GeometryRow> geometries;
+  Ledger ledger;  // empty where fewer than two devices answered, or nobody asked
 };
 
 // What the technique itself costs: the medians over the rounds (or the cold time, without rounds) of the pass
