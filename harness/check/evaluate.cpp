@@ -29,12 +29,22 @@ Outcome outcomeOf(const Measurement& measurement, const Expectation& expectation
   return measurement.value && holds(*measurement.value, expectation) ? Outcome::kPass : Outcome::kFail;
 }
 
+// A golden is only ever made by hand: a run that made its own would pass whatever it drew.
+std::string missingGolden(const Expectation& expectation, const Subject& subject) {
+  return fmt::format(
+      "no golden of '{}' fits {}; find out whether what it draws is right, then ./ssrkit bless {} --scene {} "
+      "--device {} --why \"...\"",
+      expectation.buffer, subject.self->device, subject.test_id, subject.scene, subject.self->device);
+}
+
 }  // namespace
 
 CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
   SSRKIT_CHECK(subject.self != nullptr);
   const Answer& self = *subject.self;
-  Measurement measurement = measure(expectation, subject);
+  const bool lacks_golden = expectation.truth.kind == TruthKind::kGolden && subject.golden == nullptr;
+  Measurement measurement =
+      lacks_golden ? cannotMeasure(missingGolden(expectation, subject)) : measure(expectation, subject);
   CheckResult result;
   result.id = subject.test_id + "." + expectation.name;
   result.scene = subject.scene;
@@ -51,7 +61,7 @@ CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
   result.max = expectation.max;
   result.min = expectation.min;
   result.repro = subject.repro;
-  result.outcome = outcomeOf(measurement, expectation);
+  result.outcome = lacks_golden ? Outcome::kMissing : outcomeOf(measurement, expectation);
   const bool empty = measurement.problem.empty() && measurement.compared == 0;
   if (empty) {
     const bool of_rays = measurement.compared_what == "rays";

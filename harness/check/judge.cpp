@@ -27,6 +27,7 @@ bool isTruthItself(const Truth& truth, const Answer& answer) {
     case TruthKind::kOracle:
     case TruthKind::kGeometry:
     case TruthKind::kClosedForm:
+    case TruthKind::kGolden:
       return false;
   }
   return false;
@@ -73,13 +74,17 @@ bool isAskedOf(const TestFile& test, const Expectation& expectation, const Answe
 
 std::vector<CheckResult> judge(const TestFile& test, const std::string& scene,
                                std::span<const Answer> answers,
-                               const std::function<std::string(const Answer&)>& repro) {
+                               const std::function<std::string(const Answer&)>& repro,
+                               const GoldenLookup& golden) {
   std::vector<CheckResult> results;
   for (const Expectation& expectation : test.expectations) {
     const std::size_t before = results.size();
     for (const Answer& answer : answers) {
       if (isAskedOf(test, expectation, answer)) {
-        results.push_back(evaluate(expectation, Subject{test.id, scene, &answer, answers, repro(answer)}));
+        const bool wants_golden = expectation.truth.kind == TruthKind::kGolden && golden;
+        const Answer* const blessed = wants_golden ? golden(expectation, answer) : nullptr;
+        results.push_back(
+            evaluate(expectation, Subject{test.id, scene, &answer, answers, repro(answer), blessed}));
       }
     }
     if (results.size() == before) {

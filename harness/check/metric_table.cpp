@@ -12,7 +12,7 @@ namespace {
 using enum TruthKind;
 
 const std::vector<TruthKind> kByItself = {kNone};
-const std::vector<TruthKind> kOtherAnswers = {kCross, kStage, kRendered, kCase};
+const std::vector<TruthKind> kOtherAnswers = {kCross, kStage, kRendered, kCase, kGolden};
 
 std::vector<MetricRow> rowsAgainstTruth() {
   using M = Metric;
@@ -20,7 +20,7 @@ std::vector<MetricRow> rowsAgainstTruth() {
       {.metric = M::kDifferentRays,
        .name = "different_rays",
        .unit = "rays",
-       .truths = {kOracle, kStage, kCross, kCase, kRendered},
+       .truths = {kOracle, kStage, kCross, kCase, kRendered, kGolden},
        .zero_by_default = true},
       {.metric = M::kAmbiguousShare, .name = "ambiguous_share", .unit = "share", .truths = {kOracle}},
       {.metric = M::kVerdicts,
@@ -43,7 +43,7 @@ std::vector<MetricRow> rowsAgainstTruth() {
       {.metric = M::kHitPositionPx,
        .name = "hit_position_px",
        .unit = "px",
-       .truths = {kOracle, kStage, kCross, kRendered, kCase, kGeometry},
+       .truths = {kOracle, kStage, kCross, kRendered, kCase, kGeometry, kGolden},
        .keys = {"percentile"}},
       {.metric = M::kHitJumpPx,
        .name = "hit_jump_px",
@@ -70,14 +70,14 @@ std::vector<MetricRow> rowsAgainstTruth() {
       {.metric = M::kCoverageFlips,
        .name = "coverage_flips",
        .unit = "pixels",
-       .truths = {kCross, kRendered, kGeometry},
+       .truths = {kCross, kRendered, kGeometry, kGolden},
        .on_record = false,
        .on_image = true,
        .zero_by_default = true},
       {.metric = M::kRelativeError,
        .name = "relative_error",
        .unit = "ratio",
-       .truths = {kCross, kStage, kRendered, kCase, kGeometry},
+       .truths = {kCross, kStage, kRendered, kCase, kGeometry, kGolden},
        .keys = {"percentile"},
        .on_record = false,
        .on_image = true},

@@ -60,6 +60,7 @@ enum class TruthKind : std::uint8_t {
   kStage,       // another stage, same device
   kCase,        // another set of parameters
   kSize,        // another size
+  kGolden,      // what was blessed before (golden.h)
 };
 
 struct MetricRow {

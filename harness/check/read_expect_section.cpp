@@ -27,7 +27,7 @@ const std::vector<TruthWord>& truthWords() {
       {TruthKind::kGeometry, "geometry"}, {TruthKind::kClosedForm, "closed-form"},
       {TruthKind::kRendered, "rendered"}, {TruthKind::kCross, "cross:"},
       {TruthKind::kStage, "stage:"},      {TruthKind::kCase, "case:"},
-      {TruthKind::kSize, "size:"},
+      {TruthKind::kSize, "size:"},        {TruthKind::kGolden, "golden"},
   };
   return words;
 }

@@ -65,6 +65,11 @@ std::variant<const Answer*, std::string> answerOfTruth(const Subject& subject, c
     case TruthKind::kRendered:
       key.input.clear();
       break;
+    case TruthKind::kGolden:
+      if (subject.golden != nullptr) {
+        return subject.golden;
+      }
+      return fmt::format("no golden fits {}", subject.self->device);
     case TruthKind::kNone:
     case TruthKind::kOracle:
     case TruthKind::kGeometry:

@@ -54,6 +54,7 @@ struct Subject {
   std::span<const Answer>
       pool;           // holds every answer that `truth` or `cases` may name, `self` among them or not
   std::string repro;  // the command that runs this check alone
+  const Answer* golden = nullptr;  // what the truth `golden` is; null where nobody has blessed one that fits
 };
 
 // Whether the frame's answer is the one that the case was traced over.

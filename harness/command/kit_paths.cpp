@@ -12,6 +12,7 @@ KitPaths kitPaths() {
           .scenes = root / "scenes",
           .expectations = root / "tests" / "expect",
           .claims = root / "tests" / "claims",
+          .goldens = root / "tests" / "goldens",
           .build = SSRKIT_BUILD_DIR};
 }
 

@@ -11,6 +11,7 @@ struct KitPaths {
   std::filesystem::path scenes;
   std::filesystem::path expectations;
   std::filesystem::path claims;
+  std::filesystem::path goldens;
   std::filesystem::path build;  // where the unit tests are
 };
 

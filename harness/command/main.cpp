@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "base/text.h"
+#include "command/bless.h"
 #include "command/compare.h"
 #include "command/compile.h"
 #include "command/devices.h"
@@ -103,6 +104,18 @@ void addCompare(CLI::App& app, CompareOptions& options, Command& command) {
   compare->callback([&] { command = [&] { return compareCommand(options); }; });
 }
 
+void addBless(CLI::App& app, BlessOptions& options, Command& command) {
+  CLI::App* bless =
+      app.add_subcommand("bless", "Write the goldens of an expectation file, once they are proved right");
+  bless->add_option("test", options.test, "The id of an expectation file with truth = \"golden\"")
+      ->required();
+  bless->add_option("--scene", options.scenes, "A scene of the test (default: all of them)");
+  bless->add_option("--device", options.devices, "A device of `ssrkit devices` (default: the test's first)");
+  bless->add_option("--why", options.why, "Why what is drawn now is right")->required();
+  bless->add_option("--who", options.who, "Who says so (default: git's identity)");
+  bless->callback([&] { command = [&] { return blessCommand(options); }; });
+}
+
 void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command) {
   CLI::App* compile =
       app.add_subcommand("compile", "Show what the compiler says about one shader, for both APIs");
@@ -169,6 +182,7 @@ int commandLine(int argc, char** argv) {
   TestOptions test;
   CompareOptions compare;
   CompileCommandOptions compile;
+  BlessOptions bless;
   bool devices_json = false;
   run.command = command_line;
   run.command.front() = "./ssrkit";
@@ -180,6 +194,7 @@ int commandLine(int argc, char** argv) {
   addCompare(app, compare, command);
   addDevices(app, devices_json, command);
   addCompile(app, compile, command);
+  addBless(app, bless, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

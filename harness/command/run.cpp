@@ -195,6 +195,7 @@ Expected<int> runCommand(const RunOptions& options) {
   ProgressLine progress;
   auto suite = Suite::create({.shader_root = paths.shaders,
                               .scenes_root = paths.scenes,
+                              .goldens_root = paths.goldens,
                               .devices = request->devices,
                               .size = request->size,
                               .mirror_material = options.mirror,

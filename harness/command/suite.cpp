@@ -205,7 +205,15 @@ void Suite::runOverInput(const TestFile& test, const std::vector<std::string>& d
   }
 }
 
-void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run) const {
+// By the device's own key: a worker that has answered knows its identity.
+GoldenLookup Suite::goldenLookup(GoldenShelf& shelf) {
+  return [this, &shelf](const Expectation& expectation, const Answer& answer) -> const Answer* {
+    const auto info = workers_.at(answer.device).info();
+    return info ? shelf.find(expectation, answer, goldenKeyOf(info->identity)) : nullptr;
+  };
+}
+
+void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run) {
   const auto add = [&](CheckResult check, const std::string& name) {
     check.id = test.id + "." + name;
     check.scene = source.name;
@@ -227,9 +235,14 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
       add(std::move(check), "loop_limiter");
     }
   }
+  auto shelf = GoldenShelf::load(options_.goldens_root, test, source.name);
+  if (!shelf) {
+    add({.message = sentence(shelf.error())}, "goldens");
+  }
   // A cell that never came back has been reported: what it leaves unanswered is not missing once more.
-  const std::vector<CheckResult> checks =
-      ssrkit::judge(test, source.name, run.answers, [&](const Answer&) { return options_.command; });
+  const std::vector<CheckResult> checks = ssrkit::judge(
+      test, source.name, run.answers, [&](const Answer&) { return options_.command; },
+      shelf ? goldenLookup(*shelf) : GoldenLookup{});
   std::ranges::copy_if(checks, std::back_inserter(run.checks), [&](const CheckResult& check) {
     return all_came_back || check.outcome != Outcome::kMissing;
   });

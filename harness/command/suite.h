@@ -13,9 +13,11 @@
 #include "base/error.h"
 #include "check/check_result.h"
 #include "check/expectation.h"
+#include "check/judge.h"
 #include "check/ledger.h"
 #include "check/subject.h"
 #include "command/cell_run.h"
+#include "command/golden_shelf.h"
 #include "frame/gbuffer_files.h"
 #include "frame/job.h"
 #include "worker/supervisor.h"
@@ -43,6 +45,7 @@ struct SceneRun {
 struct SuiteOptions {
   std::filesystem::path shader_root;
   std::filesystem::path scenes_root;
+  std::filesystem::path goldens_root;  // where the truth `golden` is looked up
   std::vector<std::string> devices;    // the run's, where a test names none
   Size size;                           // likewise
   std::string mirror_material;
@@ -79,9 +82,10 @@ class Suite {
   [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
   [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
-               SceneRun& run) const;
-  void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run) const;
-  void judge(const TestFile& test, const SceneSource& source, SceneRun& run) const;
+               SceneRun& run);
+  void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);
+  void judge(const TestFile& test, const SceneSource& source, SceneRun& run);
+  [[nodiscard]] GoldenLookup goldenLookup(GoldenShelf& shelf);
 
   SuiteOptions options_;
   std::map<std::string, Worker> workers_;

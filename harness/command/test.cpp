@@ -64,6 +64,7 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
   ProgressLine progress;
   auto suite = Suite::create({.shader_root = paths.shaders,
                               .scenes_root = paths.scenes,
+                              .goldens_root = paths.goldens,
                               .devices = options.devices,
                               .size = {640, 360},
                               .mirror_material = "",
