@@ -14,8 +14,11 @@ namespace ssrkit {
 namespace {
 
 nlohmann::ordered_json toJson(const DeviceEntry& entry, const Expected<DeviceInfo>& info) {
-  nlohmann::ordered_json json = {
-      {"id", entry.id}, {"about", entry.description}, {"present", info.has_value()}};
+  nlohmann::ordered_json json = {{"id", entry.id},
+                                 {"about", entry.description},
+                                 {"pipeline", entry.pipeline},
+                                 {"rasteriser", entry.rasteriser},
+                                 {"present", info.has_value()}};
   if (!info) {
     json["why_absent"] = sentence(info.error());
     return json;
@@ -32,42 +35,64 @@ nlohmann::ordered_json toJson(const DeviceEntry& entry, const Expected<DeviceInf
 }
 
 void print(const DeviceEntry& entry, const Expected<DeviceInfo>& info) {
-  fmt::print("{:<14}{}\n", entry.id, entry.description);
+  fmt::print("{:<15}{}\n", entry.id, entry.description);
   if (!info) {
-    fmt::print("{:14}absent: {}\n", "", sentence(info.error()));
+    fmt::print("{:15}absent: {}\n", "", sentence(info.error()));
     return;
   }
   const DeviceTraits& traits = info->traits;
-  fmt::print("{:14}{}, {}, {}\n", "", info->identity.api, info->identity.driver, info->identity.version);
-  fmt::print("{:14}takes {}; loops are {}; its timer is {}\n", "", traits.shader_input,
+  fmt::print("{:15}{}, {}, {}\n", "", info->identity.api, info->identity.driver, info->identity.version);
+  fmt::print("{:15}takes {}; pipeline {}, rasteriser {}; loops are {}; its timer is {}\n", "",
+             traits.shader_input, entry.pipeline, entry.rasteriser,
              traits.loop_cap > 0 ? fmt::format("cut at {} iterations", traits.loop_cap) : "not cut",
              traits.device_timer_usable ? "right" : "wrong, wall and CPU time are used");
 }
 
+Expected<std::vector<const DeviceEntry*>> chosenEntries(const std::vector<std::string>& ids) {
+  std::vector<const DeviceEntry*> entries;
+  for (const std::string& id : ids) {
+    const Expected<const DeviceEntry*> entry = findDevice(id);
+    if (!entry) {
+      return tl::make_unexpected(entry.error());
+    }
+    entries.push_back(*entry);
+  }
+  if (ids.empty()) {
+    for (const DeviceEntry& entry : deviceEntries()) {
+      entries.push_back(&entry);
+    }
+  }
+  return entries;
+}
+
 }  // namespace
 
-Expected<int> devicesCommand(bool json) {
+Expected<int> devicesCommand(const DevicesOptions& options) {
+  const auto entries = chosenEntries(options.devices);
+  if (!entries) {
+    return tl::make_unexpected(entries.error());
+  }
   std::vector<std::future<Expected<DeviceInfo>>> infos;
-  for (const DeviceEntry& entry : deviceEntries()) {
+  for (const DeviceEntry* const entry : *entries) {
     infos.push_back(std::async(
-        std::launch::async, [&entry] { return Worker(entry, {.shader_root = kitPaths().shaders}).info(); }));
+        std::launch::async, [entry] { return Worker(*entry, {.shader_root = kitPaths().shaders}).info(); }));
   }
   bool all_present = true;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < infos.size(); ++i) {
-    const DeviceEntry& entry = deviceEntries()[i];
+    const DeviceEntry& entry = *(*entries)[i];
     const Expected<DeviceInfo> info = infos[i].get();
     all_present = all_present && info.has_value();
-    if (json) {
+    if (options.json) {
       list.push_back(toJson(entry, info));
     } else {
       print(entry, info);
     }
   }
-  if (json) {
+  if (options.json) {
     fmt::print("{}\n", list.dump(2));
   }
-  return all_present ? 0 : 3;
+  return all_present || options.devices.empty() ? 0 : 3;
 }
 
 }  // namespace ssrkit

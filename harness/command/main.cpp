@@ -131,11 +131,12 @@ void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command)
   });
 }
 
-void addDevices(CLI::App& app, bool& json, Command& command) {
+void addDevices(CLI::App& app, DevicesOptions& options, Command& command) {
   CLI::App* devices =
       app.add_subcommand("devices", "Show the devices, their drivers and what the probe found");
-  devices->add_flag("--json", json, "Print JSON");
-  devices->callback([&] { command = [&] { return devicesCommand(json); }; });
+  devices->add_option("--device", options.devices, "A device that must be there (default: show all)");
+  devices->add_flag("--json", options.json, "Print JSON");
+  devices->callback([&] { command = [&] { return devicesCommand(options); }; });
 }
 
 Error unknownWord(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
@@ -183,7 +184,7 @@ int commandLine(int argc, char** argv) {
   CompareOptions compare;
   CompileCommandOptions compile;
   BlessOptions bless;
-  bool devices_json = false;
+  DevicesOptions devices;
   run.command = command_line;
   run.command.front() = "./ssrkit";
   test.command = run.command;
@@ -192,7 +193,7 @@ int commandLine(int argc, char** argv) {
   addRun(app, run, command);
   addTest(app, test, command);
   addCompare(app, compare, command);
-  addDevices(app, devices_json, command);
+  addDevices(app, devices, command);
   addCompile(app, compile, command);
   addBless(app, bless, command);
   try {

@@ -46,7 +46,9 @@ bool isInconclusive(const CheckResult& check) {
 
 Expected<std::unique_ptr<Suite>> Suite::create(SuiteOptions options) {
   std::unique_ptr<Suite> suite(new Suite(std::move(options)));
-  for (const std::string& device : suite->options_.devices) {
+  std::vector<std::string> ids = suite->options_.devices;
+  ids.insert(ids.end(), suite->options_.further_devices.begin(), suite->options_.further_devices.end());
+  for (const std::string& device : ids) {
     const auto entry = findDevice(device);
     if (!entry) {
       return tl::make_unexpected(entry.error());

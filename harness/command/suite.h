@@ -46,8 +46,9 @@ struct SuiteOptions {
   std::filesystem::path shader_root;
   std::filesystem::path scenes_root;
   std::filesystem::path goldens_root;  // where the truth `golden` is looked up
-  std::vector<std::string> devices;    // the run's, where a test names none
-  Size size;                           // likewise
+  std::vector<std::string> devices;          // the run's, where a test names none
+  std::vector<std::string> further_devices;  // those that tests name themselves
+  Size size;                                 // the run's, where a test names none
   std::string mirror_material;
   std::optional<EnvironmentChoice> environment;
   std::vector<ShaderReplacement> replacements;

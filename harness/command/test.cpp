@@ -59,6 +59,17 @@ void printScene(const TestFile& test, const SceneRun& run, std::chrono::duration
   std::fflush(stdout);
 }
 
+std::vector<std::string> namedDevices(const std::vector<TestFile>& files) {
+  std::vector<std::string> devices;
+  for (const TestFile& file : files) {
+    devices.insert(devices.end(), file.devices.begin(), file.devices.end());
+    if (!file.input.empty()) {
+      devices.push_back(file.input);
+    }
+  }
+  return devices;
+}
+
 Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, const KitPaths& paths,
                                                    const std::vector<TestFile>& files, RunReport& report) {
   ProgressLine progress;
@@ -66,6 +77,7 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
                               .scenes_root = paths.scenes,
                               .goldens_root = paths.goldens,
                               .devices = options.devices,
+                              .further_devices = namedDevices(files),
                               .size = {640, 360},
                               .mirror_material = "",
                               .environment = std::nullopt,

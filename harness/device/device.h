@@ -144,6 +144,8 @@ class Device {
  public:
   virtual ~Device() = default;
   [[nodiscard]] virtual const DeviceIdentity& identity() const = 0;
+  // What its driver is given of a program's SPIR-V: "SPIR-V", or the language that it is translated to.
+  [[nodiscard]] virtual std::string shaderInput() const { return "SPIR-V"; }
 
   [[nodiscard]] virtual Expected<std::unique_ptr<DeviceImage>> createImage(const ImageDesc& desc) = 0;
   [[nodiscard]] virtual Expected<std::unique_ptr<DeviceBuffer>> createVertexBuffer(

@@ -21,8 +21,9 @@ struct DeviceEntry {
   std::string description;  // one line for `ssrkit devices`
   // What its images may be compared by (tolerance_class.h): the code that turns a shader into pixels, front
   // end included, and the code that draws triangles and runs shaders.
-  std::string pipeline;    // "gl-llvmpipe"
-  std::string rasteriser;  // "llvmpipe"
+  std::string pipeline;     // "gl-llvmpipe"
+  std::string rasteriser;   // "llvmpipe"
+  bool is_software = true;  // runs on the processor: any machine with its packages has it
   ShaderTarget target = ShaderTarget::kOpenGl;
   // What the worker's environment needs before any driver is loaded (driver choice is process-wide).
   std::vector<std::pair<std::string, std::string>> environment;

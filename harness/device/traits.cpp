@@ -104,7 +104,7 @@ Expected<PassTime> drawLoad(const Probe& probe, std::uint32_t count) {
 
 // Turns a texel that last long enough for the clocks to be compared.
 Expected<std::uint32_t> findLoad(const Probe& probe) {
-  std::uint32_t count = 500;
+  std::uint32_t count = 4;  // 8 ms already where shaders are interpreted
   while (count < kMostLoadCount) {
     const Expected<PassTime> time = drawLoad(probe, count);
     if (!time) {
@@ -156,7 +156,8 @@ Expected<DeviceTraits> probeTraits(Device& device, ShaderTarget target,
   if (!timer_usable) {
     return tl::unexpected(timer_usable.error());
   }
-  return DeviceTraits{.loop_cap = *loop_cap, .device_timer_usable = *timer_usable, .shader_input = "SPIR-V"};
+  return DeviceTraits{
+      .loop_cap = *loop_cap, .device_timer_usable = *timer_usable, .shader_input = device.shaderInput()};
 }
 
 }  // namespace ssrkit

@@ -15,7 +15,7 @@ namespace ssrkit {
 struct DeviceTraits {
   std::uint32_t loop_cap = 0;  // iterations after which loops are cut without a word; 0: none up to 262,144
   bool device_timer_usable = false;  // API timestamps agree with wall time within 20 %
-  std::string shader_input;          // "SPIR-V"
+  std::string shader_input;          // "SPIR-V", "GLSL 330"
 };
 
 // Compiles `shader_root`/probe for `target`, the device's own, and draws it a few times (about 0.1 s).

@@ -1,7 +1,12 @@
-// Where a GL context comes from: OSMesa today, EGL where Mesa no longer has it.
+// Where a GL context comes from: OSMesa or EGL. Both draw without a window.
 #pragma once
 
 namespace ssrkit {
+
+struct GlVersion {
+  int major = 4;
+  int minor = 5;
+};
 
 class GlContext {
  public:

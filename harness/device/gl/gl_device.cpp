@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/check.h"
 #include "device/format.h"
+#include "device/gl/egl_context.h"
 #include "device/gl/gl_buffer.h"
 #include "device/gl/gl_image.h"
 #include "device/gl/gl_pass.h"
@@ -47,6 +51,7 @@ class GlDevice final : public Device {
         timestamps_(session_) {}
 
   [[nodiscard]] const DeviceIdentity& identity() const override { return identity_; }
+  [[nodiscard]] std::string shaderInput() const override { return infoOf(session_->shaderInput()).name; }
 
   [[nodiscard]] Expected<std::unique_ptr<DeviceImage>> createImage(const ImageDesc& desc) override {
     return GlImage::create(session_, desc);
@@ -102,18 +107,47 @@ class GlDevice final : public Device {
   GlTimestamps timestamps_;
 };
 
+Expected<std::unique_ptr<GlContext>> createContext(const GlDeviceChoice& choice) {
+  const GlVersion version = infoOf(choice.shader_input).version;
+  switch (choice.platform) {
+    case GlPlatform::kOsmesa:
+      return createOsmesaContext(version);
+    case GlPlatform::kEglSurfaceless:
+      return createEglContext(EglDisplayKind::kSurfaceless, version);
+    case GlPlatform::kEglGpu:
+      return createEglContext(EglDisplayKind::kGpu, version);
+  }
+  SSRKIT_CHECK(false);
+}
+
+bool isWanted(std::string_view renderer, std::string_view part) {
+  constexpr std::array<std::string_view, 4> kSoftware{"llvmpipe", "softpipe", "swrast", "Software"};
+  const auto names = [renderer](std::string_view name) {
+    return renderer.find(name) != std::string_view::npos;
+  };
+  return part.empty() ? std::ranges::none_of(kSoftware, names) : names(part);
+}
+
 }  // namespace
 
-Expected<std::unique_ptr<Device>> createOsmesaDevice(std::string_view id) {
-  Expected<std::unique_ptr<GlContext>> context = createOsmesaContext();
+Expected<std::unique_ptr<Device>> createGlDevice(const GlDeviceChoice& choice) {
+  Expected<std::unique_ptr<GlContext>> context = createContext(choice);
   if (!context) {
     return tl::unexpected(context.error());
   }
-  Expected<std::shared_ptr<GlSession>> session = GlSession::create(std::move(*context));
+  Expected<std::shared_ptr<GlSession>> session = GlSession::create(std::move(*context), choice.shader_input);
   if (!session) {
     return tl::unexpected(session.error());
   }
-  return std::make_unique<GlDevice>(std::move(*session), id);
+  const std::string renderer = (*session)->text(GL_RENDERER);
+  if (!isWanted(renderer, choice.renderer_part)) {
+    return setupError(
+        fmt::format("open the device '{}'", choice.id),
+        fmt::format("the driver that answers is '{}' and not {}", renderer,
+                    choice.renderer_part.empty() ? "a GPU's" : "'" + choice.renderer_part + "'"),
+        {}, "install Debian's packages libgl1-mesa-dri and mesa-vulkan-drivers");
+  }
+  return std::make_unique<GlDevice>(std::move(*session), choice.id);
 }
 
 }  // namespace ssrkit

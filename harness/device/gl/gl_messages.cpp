@@ -8,7 +8,11 @@
 namespace ssrkit {
 namespace {
 
-bool matters(GLenum type, GLenum severity) {
+// What a compiler warns of is in text that a translation made, and not in the author's.
+bool matters(GLenum source, GLenum type, GLenum severity) {
+  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER && type != GL_DEBUG_TYPE_ERROR) {
+    return false;
+  }
   return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
          severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM;
 }
@@ -30,9 +34,9 @@ const char* errorName(GLenum error) {
   }
 }
 
-void GLAD_API_PTR keepMessage(GLenum /*source*/, GLenum type, GLuint id, GLenum severity, GLsizei length,
+void GLAD_API_PTR keepMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                               const GLchar* text, const void* user) {
-  if (!matters(type, severity)) {
+  if (!matters(source, type, severity)) {
     return;
   }
   const std::string_view message =

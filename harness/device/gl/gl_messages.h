@@ -10,7 +10,7 @@ namespace ssrkit {
 
 class GlMessages {
  public:
-  // Keeps errors, undefined behaviour and everything of medium or high severity. `this` must outlive the
+  // Keeps errors, undefined behaviour and everything of medium or high severity but compilers' warnings. `this` must outlive the
   // context.
   void listen(const GladGLContext& gl);
 

@@ -9,29 +9,13 @@
 #include <vector>
 
 #include "base/check.h"
-#include "device/spirv_check.h"
+#include "device/gl/gl_stage.h"
+#include "shader/glsl_translation.h"
 
 namespace ssrkit {
 namespace {
 
 constexpr GLuint kVertexBinding = 0;
-
-struct StageSource {
-  GLenum stage;
-  const char* name;
-  std::span<const std::uint32_t> spirv;
-  std::span<const std::uint32_t> constant_ids;
-};
-
-tl::unexpected<Error> refused(GlSession& session, std::string attempted, std::string_view log) {
-  auto failure = inputError(std::move(attempted), "the driver refused the shaders");
-  std::vector<std::string> reasons = session.drainMessages();
-  if (!log.empty()) {
-    reasons.insert(reasons.begin(), std::string(log));
-  }
-  failure.value().reasons = std::move(reasons);
-  return failure;
-}
 
 // Bindings index arrays of fixed size in the driver: it does not look before it leaps.
 Expected<void> checkLimits(const GlSession& session, const ProgramDesc& desc) {
@@ -60,15 +44,6 @@ Expected<void> checkLimits(const GlSession& session, const ProgramDesc& desc) {
   return {};
 }
 
-std::string shaderLog(const GladGLContext& gl, GLuint shader) {
-  GLint length = 0;
-  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  std::string log(static_cast<std::size_t>(std::max(length, 0)), '\0');
-  gl.GetShaderInfoLog(shader, length, &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
-  return log;
-}
-
 std::string programLog(const GladGLContext& gl, GLuint program) {
   GLint length = 0;
   gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
@@ -76,36 +51,6 @@ std::string programLog(const GladGLContext& gl, GLuint program) {
   gl.GetProgramInfoLog(program, length, &length, log.data());
   log.resize(static_cast<std::size_t>(length));
   return log;
-}
-
-Expected<GlObject> loadStage(const std::shared_ptr<GlSession>& session, const ProgramDesc& desc,
-                             const StageSource& source) {
-  if (const auto valid = checkSpirv(desc.name, source.name, source.spirv, SpirvEnvironment::kOpenGl45);
-      !valid) {
-    return tl::unexpected(valid.error());
-  }
-  std::vector<GLuint> ids;
-  std::vector<GLuint> values;
-  for (const SpecConstant& constant : desc.spec_constants) {
-    // An id that the stage does not declare would be GL_INVALID_VALUE.
-    if (std::ranges::find(source.constant_ids, constant.id) != source.constant_ids.end()) {
-      ids.push_back(constant.id);
-      values.push_back(constant.bits);
-    }
-  }
-  const GladGLContext& gl = session->gl();
-  GlObject object = createShader(session, source.stage);
-  const GLuint shader = object.name();
-  gl.ShaderBinary(1, &shader, GL_SHADER_BINARY_FORMAT_SPIR_V_ARB, source.spirv.data(),
-                  static_cast<GLsizei>(source.spirv.size_bytes()));
-  gl.SpecializeShaderARB(shader, "main", static_cast<GLuint>(ids.size()), ids.data(), values.data());
-  GLint compiled = GL_FALSE;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled != GL_TRUE) {
-    return refused(*session, fmt::format("specialise the {} shader of '{}'", source.name, desc.name),
-                   shaderLog(gl, shader));
-  }
-  return object;
 }
 
 GLint componentCount(VertexFormat format) {
@@ -120,6 +65,23 @@ GLint componentCount(VertexFormat format) {
       return 4;
   }
   SSRKIT_CHECK(false);
+}
+
+// Text that came from SPIR-V says nothing of bindings before GLSL 420; its names do.
+void bindByName(const GladGLContext& gl, GLuint program, const ProgramDesc& desc) {
+  gl.UseProgram(program);
+  for (const std::uint32_t binding : desc.sampler_bindings) {
+    const GLint location = gl.GetUniformLocation(program, glslSamplerName(binding).c_str());
+    if (location >= 0) {  // else the compiler found no use of it
+      gl.Uniform1i(location, static_cast<GLint>(binding));
+    }
+  }
+  for (const std::uint32_t binding : desc.uniform_bindings) {
+    const GLuint index = gl.GetUniformBlockIndex(program, glslBlockName(binding).c_str());
+    if (index != GL_INVALID_INDEX) {
+      gl.UniformBlockBinding(program, index, binding);
+    }
+  }
 }
 
 GlObject createLayout(const std::shared_ptr<GlSession>& session,
@@ -143,11 +105,11 @@ Expected<std::unique_ptr<GlProgram>> GlProgram::create(const std::shared_ptr<GlS
     return tl::unexpected(fits.error());
   }
   const Expected<GlObject> vertex =
-      loadStage(session, desc, {GL_VERTEX_SHADER, "vertex", desc.vertex_spirv, desc.vertex_constant_ids});
+      loadGlStage(session, desc, {GL_VERTEX_SHADER, "vertex", desc.vertex_spirv, desc.vertex_constant_ids});
   if (!vertex) {
     return tl::unexpected(vertex.error());
   }
-  const Expected<GlObject> fragment = loadStage(
+  const Expected<GlObject> fragment = loadGlStage(
       session, desc, {GL_FRAGMENT_SHADER, "fragment", desc.fragment_spirv, desc.fragment_constant_ids});
   if (!fragment) {
     return tl::unexpected(fragment.error());
@@ -160,10 +122,14 @@ Expected<std::unique_ptr<GlProgram>> GlProgram::create(const std::shared_ptr<GlS
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.name(), GL_LINK_STATUS, &linked);
   if (linked != GL_TRUE) {
-    return refused(*session, fmt::format("link the program '{}'", desc.name), programLog(gl, program.name()));
+    return refusedShaders(*session, fmt::format("link the program '{}'", desc.name),
+                          programLog(gl, program.name()));
   }
   gl.DetachShader(program.name(), vertex->name());
   gl.DetachShader(program.name(), fragment->name());
+  if (session->shaderInput() != GlShaderInput::kSpirv) {
+    bindByName(gl, program.name(), desc);
+  }
   return std::unique_ptr<GlProgram>(
       new GlProgram(layoutOf(desc), std::move(program), createLayout(session, desc.vertex_attributes)));
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
+
 namespace ssrkit {
 namespace {
 
@@ -11,25 +14,61 @@ GLADapiproc findProcedure(void* context, const char* name) {
   return static_cast<const GlContext*>(context)->procedure(name);
 }
 
+struct Ability {
+  const char* extension;
+  int present;
+};
+
+// What the kit calls beyond OpenGL 3.3: part of 4.5, and extensions of a context that has stopped before it.
+std::array<Ability, 8> abilitiesOf(const GladGLContext& gl) {
+  return {{{"GL_ARB_buffer_storage", gl.ARB_buffer_storage},
+           {"GL_ARB_clip_control", gl.ARB_clip_control},
+           {"GL_ARB_copy_image", gl.ARB_copy_image},
+           {"GL_ARB_direct_state_access", gl.ARB_direct_state_access},
+           {"GL_ARB_texture_storage", gl.ARB_texture_storage},
+           {"GL_ARB_texture_view", gl.ARB_texture_view},
+           {"GL_ARB_vertex_attrib_binding", gl.ARB_vertex_attrib_binding},
+           {"GL_KHR_debug", gl.KHR_debug}}};
+}
+
 }  // namespace
 
-Expected<std::shared_ptr<GlSession>> GlSession::create(std::unique_ptr<GlContext> context) {
-  std::shared_ptr<GlSession> session(new GlSession(std::move(context)));
+Expected<std::shared_ptr<GlSession>> GlSession::create(std::unique_ptr<GlContext> context,
+                                                       GlShaderInput input) {
+  std::shared_ptr<GlSession> session(new GlSession(std::move(context), input));
   session->context_->makeCurrent();
   const int version = gladLoadGLContextUserPtr(&session->gl_, findProcedure, session->context_.get());
-  if (version < GLAD_MAKE_VERSION(4, 5)) {
-    return setupError(kAttempted,
-                      fmt::format("the driver offers OpenGL {}.{} and the kit needs 4.5",
-                                  GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)),
-                      {}, "install Mesa 22.3 or newer");
-  }
-  // Found by its name: the list of binary formats is empty on Mesa although SPIR-V is taken.
-  if (session->gl_.ARB_gl_spirv == 0) {
-    return setupError(kAttempted, "the driver lacks GL_ARB_gl_spirv", session->text(GL_RENDERER),
-                      "use the llvmpipe driver");
+  if (const auto able = session->checkAbilities({GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)});
+      !able) {
+    return tl::unexpected(able.error());
   }
   session->setState();
   return session;
+}
+
+Expected<void> GlSession::checkAbilities(GlVersion offered) const {
+  const GlVersion needed = infoOf(shader_input_).version;
+  if (std::pair(offered.major, offered.minor) < std::pair(needed.major, needed.minor)) {
+    return setupError(kAttempted,
+                      fmt::format("the driver offers OpenGL {}.{} and the kit needs {}.{}", offered.major,
+                                  offered.minor, needed.major, needed.minor),
+                      {}, "install Mesa 22.3 or newer");
+  }
+  // Found by its name: the list of binary formats is empty on Mesa although SPIR-V is taken.
+  if (shader_input_ == GlShaderInput::kSpirv && gl_.ARB_gl_spirv == 0) {
+    return setupError(kAttempted, "the driver lacks GL_ARB_gl_spirv", text(GL_RENDERER),
+                      "use the llvmpipe driver");
+  }
+  if (std::pair(offered.major, offered.minor) >= std::pair(4, 5)) {
+    return {};
+  }
+  for (const Ability& ability : abilitiesOf(gl_)) {
+    if (ability.present == 0) {
+      return setupError(kAttempted, fmt::format("the driver lacks {}", ability.extension), text(GL_RENDERER),
+                        "install Mesa 22.3 or newer");
+    }
+  }
+  return {};
 }
 
 const GladGLContext& GlSession::gl() const {

@@ -11,13 +11,15 @@
 #include "base/error.h"
 #include "device/gl/gl_context.h"
 #include "device/gl/gl_messages.h"
+#include "device/gl/gl_shader_input.h"
 
 namespace ssrkit {
 
 class GlSession {
  public:
-  // Fails when the context is older than 4.5 or does not take SPIR-V.
-  [[nodiscard]] static Expected<std::shared_ptr<GlSession>> create(std::unique_ptr<GlContext> context);
+  // Fails when the context lacks what the kit calls, or does not take shaders in this way.
+  [[nodiscard]] static Expected<std::shared_ptr<GlSession>> create(
+      std::unique_ptr<GlContext> context, GlShaderInput input = GlShaderInput::kSpirv);
 
   GlSession(const GlSession&) = delete;
   GlSession& operator=(const GlSession&) = delete;
@@ -25,6 +27,7 @@ class GlSession {
 
   // The entry points, with the context made current.
   [[nodiscard]] const GladGLContext& gl() const;
+  [[nodiscard]] GlShaderInput shaderInput() const { return shader_input_; }
   [[nodiscard]] std::string text(GLenum name) const;
   [[nodiscard]] int integer(GLenum name) const;
   [[nodiscard]] std::vector<std::string> drainMessages() { return messages_.drain(gl()); }
@@ -33,11 +36,14 @@ class GlSession {
   [[nodiscard]] Expected<void> failOnMessages(std::string_view attempted, std::string_view remedy);
 
  private:
-  explicit GlSession(std::unique_ptr<GlContext> context) : context_(std::move(context)) {}
+  GlSession(std::unique_ptr<GlContext> context, GlShaderInput input)
+      : context_(std::move(context)), shader_input_(input) {}
+  [[nodiscard]] Expected<void> checkAbilities(GlVersion offered) const;
   void setState();
 
   GlMessages messages_;  // outlives the context, which reports to it
   std::unique_ptr<GlContext> context_;
+  GlShaderInput shader_input_;
   GladGLContext gl_{};
 };
 

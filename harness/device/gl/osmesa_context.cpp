@@ -2,6 +2,7 @@
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
@@ -86,7 +87,7 @@ class OsmesaContext final : public GlContext {
 
 }  // namespace
 
-Expected<std::unique_ptr<GlContext>> createOsmesaContext() {
+Expected<std::unique_ptr<GlContext>> createOsmesaContext(GlVersion version) {
   // OSMesa 22.3 follows a null pointer when this variable names a driver that it does not have.
   const char* const driver = std::getenv("GALLIUM_DRIVER");
   if (driver != nullptr && std::string_view(driver) != "llvmpipe" && std::string_view(driver) != "softpipe") {
@@ -98,22 +99,22 @@ Expected<std::unique_ptr<GlContext>> createOsmesaContext() {
   if (!library) {
     return tl::unexpected(library.error());
   }
-  // 4.6 is refused by Mesa 22.3.
-  constexpr std::array<int, 11> kAttributes{OSMESA_FORMAT,
-                                            OSMESA_RGBA,
-                                            OSMESA_PROFILE,
-                                            OSMESA_CORE_PROFILE,
-                                            OSMESA_CONTEXT_MAJOR_VERSION,
-                                            4,
-                                            OSMESA_CONTEXT_MINOR_VERSION,
-                                            5,
-                                            OSMESA_DEPTH_BITS,
-                                            0,
-                                            0};
-  OSMesaContext context = library->create_context(kAttributes.data(), nullptr);
+  const std::array<int, 11> attributes{OSMESA_FORMAT,
+                                       OSMESA_RGBA,
+                                       OSMESA_PROFILE,
+                                       OSMESA_CORE_PROFILE,
+                                       OSMESA_CONTEXT_MAJOR_VERSION,
+                                       version.major,
+                                       OSMESA_CONTEXT_MINOR_VERSION,
+                                       version.minor,
+                                       OSMESA_DEPTH_BITS,
+                                       0,
+                                       0};
+  OSMesaContext context = library->create_context(attributes.data(), nullptr);
   if (context == nullptr) {
-    return setupError(kAttempted, "it refused an OpenGL 4.5 core context", kLibrary,
-                      "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
+    return setupError(kAttempted,
+                      fmt::format("it refused an OpenGL {}.{} core context", version.major, version.minor),
+                      kLibrary, "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
   }
   auto result = std::make_unique<OsmesaContext>(*library, context);
   result->makeCurrent();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -55,6 +56,12 @@ Expected<void> checkSupport(const Gpu& gpu, const ImageDesc& desc, const std::st
   return {};
 }
 
+// Every image may be drawn to; SwiftShader samples images of 16384 texels and draws to 8192.
+int longestSide(const VkPhysicalDeviceLimits& limits) {
+  return static_cast<int>(
+      std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight}));
+}
+
 }  // namespace
 
 VkFormat vulkanFormat(Format format) {
@@ -90,7 +97,7 @@ VulkanImage::VulkanImage(std::shared_ptr<const Gpu> gpu, ImageDesc desc)
 
 Expected<std::unique_ptr<VulkanImage>> VulkanImage::create(const std::shared_ptr<const Gpu>& gpu,
                                                            const ImageDesc& desc) {
-  Expected<void> done = checkImageDesc(desc, static_cast<int>(gpu->physical().limits.maxImageDimension2D));
+  Expected<void> done = checkImageDesc(desc, longestSide(gpu->physical().limits));
   if (!done) {
     return passOn(done);
   }

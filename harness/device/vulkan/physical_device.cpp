@@ -53,9 +53,12 @@ bool hasNeededFeatures(const Instance& instance, VkPhysicalDevice device) {
 // Why this device cannot do the work; nothing when it can.
 std::optional<std::string> objection(const Instance& instance, VkPhysicalDevice device,
                                      const VkPhysicalDeviceProperties& properties,
-                                     std::string_view name_part) {
-  if (std::string_view(properties.deviceName).find(name_part) == std::string_view::npos) {
-    return fmt::format("its name does not contain '{}'", name_part);
+                                     const VulkanChoice& choice) {
+  if (std::string_view(properties.deviceName).find(choice.device_name_part) == std::string_view::npos) {
+    return fmt::format("its name does not contain '{}'", choice.device_name_part);
+  }
+  if (choice.wants_gpu && properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) {
+    return "it runs on the processor";
   }
   if (properties.apiVersion < VK_API_VERSION_1_3) {
     return fmt::format("it offers Vulkan {}, and 1.3 is needed", versionText(properties.apiVersion));
@@ -126,8 +129,10 @@ Expected<std::vector<VkPhysicalDevice>> allPhysicalDevices(const Instance& insta
 
 }  // namespace
 
-Expected<PhysicalDevice> pickPhysicalDevice(const Instance& instance, std::string_view name_part) {
-  const std::string attempted = fmt::format("find a Vulkan device named '{}'", name_part);
+Expected<PhysicalDevice> pickPhysicalDevice(const Instance& instance, const VulkanChoice& choice) {
+  const std::string attempted = choice.wants_gpu
+                                    ? "find a GPU with Vulkan"
+                                    : fmt::format("find a Vulkan device named '{}'", choice.device_name_part);
   auto devices = allPhysicalDevices(instance, attempted);
   if (!devices) {
     return passOn(devices);
@@ -136,7 +141,7 @@ Expected<PhysicalDevice> pickPhysicalDevice(const Instance& instance, std::strin
   for (const VkPhysicalDevice device : *devices) {
     VkPhysicalDeviceProperties properties;
     instance.functions().vkGetPhysicalDeviceProperties(device, &properties);
-    const std::optional<std::string> why_not = objection(instance, device, properties, name_part);
+    const std::optional<std::string> why_not = objection(instance, device, properties, choice);
     if (!why_not) {
       return describe(instance, device, properties.limits);
     }
@@ -145,7 +150,7 @@ Expected<PhysicalDevice> pickPhysicalDevice(const Instance& instance, std::strin
   auto error = setupError(
       attempted,
       reasons.empty() ? "no Vulkan device was seen" : fmt::format("none of the {} seen fits", reasons.size()),
-      {}, "install its driver (Debian: mesa-vulkan-drivers) and check VK_DRIVER_FILES");
+      {}, fmt::format("install its driver (Debian: {}) and check VK_DRIVER_FILES", choice.driver_package));
   error.value().reasons = std::move(reasons);
   return error;
 }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "base/error.h"
 #include "device/device.h"
 #include "device/vulkan/instance.h"
+#include "device/vulkan/vulkan_device.h"
 
 namespace ssrkit::vulkan {
 
@@ -19,9 +19,8 @@ struct PhysicalDevice {
   DeviceIdentity identity;  // all but the id
 };
 
-// The first device whose name contains `name_part` and that can do the work. Fails (kSetup) with one reason a
-// device.
+// The first device that fits the choice and can do the work. Fails (kSetup) with one reason a device.
 [[nodiscard]] Expected<PhysicalDevice> pickPhysicalDevice(const Instance& instance,
-                                                          std::string_view name_part);
+                                                          const VulkanChoice& choice);
 
 }  // namespace ssrkit::vulkan

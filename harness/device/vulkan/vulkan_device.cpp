@@ -122,7 +122,7 @@ Expected<PassTime> VulkanDevice::draw(const PassDesc& pass) {
 
 }  // namespace
 
-Expected<std::unique_ptr<Device>> createVulkanDevice(std::string_view id, std::string_view device_name_part) {
+Expected<std::unique_ptr<Device>> createVulkanDevice(std::string_view id, const VulkanChoice& choice) {
   auto library = vulkan::Library::open();
   if (!library) {
     return passOn(library);
@@ -131,7 +131,7 @@ Expected<std::unique_ptr<Device>> createVulkanDevice(std::string_view id, std::s
   if (!instance) {
     return passOn(instance);
   }
-  auto physical = vulkan::pickPhysicalDevice(**instance, device_name_part);
+  auto physical = vulkan::pickPhysicalDevice(**instance, choice);
   if (!physical) {
     return passOn(physical);
   }

@@ -30,7 +30,9 @@ std::vector<std::uint32_t> idsOf(const ShaderInterface& interface) {
 std::vector<std::string> DeviceTest::allDevices() {
   std::vector<std::string> ids;
   for (const DeviceEntry& entry : deviceEntries()) {
-    ids.push_back(entry.id);
+    if (entry.is_software) {
+      ids.push_back(entry.id);
+    }
   }
   return ids;
 }
@@ -41,7 +43,7 @@ void DeviceTest::SetUp() {
   for (const auto& [name, value] : (*entry)->environment) {
     ASSERT_EQ(setenv(name.c_str(), value.c_str(), 1), 0);
   }
-  target_ = (*entry)->target;
+  entry_ = *entry;
   auto created = (*entry)->create();
   ASSERT_TRUE(created) << sentence(created.error());
   device_ = std::move(*created);
@@ -57,9 +59,9 @@ ProgramSource DeviceTest::compile(const std::string& vertex, const std::string& 
   const std::filesystem::path root = SSRKIT_SOURCE_DIR "/tests/unit/device/shaders";
   ProgramSource source;
   source.vertex =
-      valueOf(compileShader({root, vertex, ShaderStage::kVertex, {}}, target_, {.use_cache = false}));
+      valueOf(compileShader({root, vertex, ShaderStage::kVertex, {}}, target(), {.use_cache = false}));
   source.fragment =
-      valueOf(compileShader({root, fragment, ShaderStage::kFragment, {}}, target_, {.use_cache = false}));
+      valueOf(compileShader({root, fragment, ShaderStage::kFragment, {}}, target(), {.use_cache = false}));
   ProgramDesc& desc = source.desc;
   desc.name = fragment;
   desc.vertex_spirv = source.vertex.spirv;

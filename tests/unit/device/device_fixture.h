@@ -1,5 +1,5 @@
-// What the tests of the devices share: each test runs on every device of the registry, and fails on any
-// message that the driver or the validation layer leaves behind.
+// What the tests of the devices share: each test runs on every software device of the registry, and fails on
+// any message that the driver or the validation layer leaves behind.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ class DeviceTest : public testing::TestWithParam<std::string> {
   void TearDown() override;
 
   [[nodiscard]] Device& device() { return *device_; }
-  [[nodiscard]] ShaderTarget target() const { return target_; }
+  [[nodiscard]] const DeviceEntry& entry() const { return *entry_; }
+  [[nodiscard]] ShaderTarget target() const { return entry_->target; }
 
   // Compiles tests/unit/device/shaders/NAME for this device. A test's shader that does not compile ends the
   // test.
@@ -61,7 +62,7 @@ class DeviceTest : public testing::TestWithParam<std::string> {
   PassTime draw(const PassDesc& pass);
 
  private:
-  ShaderTarget target_ = ShaderTarget::kOpenGl;
+  const DeviceEntry* entry_ = nullptr;
   std::unique_ptr<Device> device_;
 };
 

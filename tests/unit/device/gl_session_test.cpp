@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "device/gl/gl_device.h"
 #include "device/gl/osmesa_context.h"
 
 namespace ssrkit {
@@ -71,7 +72,7 @@ TEST(GlSession, ADriverThatOsmesaLacksIsASetUpErrorNotACrash) {
   EXPECT_NE(sentence(context.error()).find("GALLIUM_DRIVER is 'zink'"), std::string::npos);
 }
 
-// In a process of its own: the first context chooses the driver for all that follow.
+// These in processes of their own: the first context chooses the driver for all that follow.
 TEST(GlSessionDeathTest, ADriverWithoutOpenGl45IsASetUpError) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto refuse = [] {
@@ -81,6 +82,31 @@ TEST(GlSessionDeathTest, ADriverWithoutOpenGl45IsASetUpError) {
     std::_Exit(context ? 0 : exitCode(context.error()));
   };
   EXPECT_EXIT(refuse(), testing::ExitedWithCode(3), "refused an OpenGL 4.5 core context");
+}
+
+TEST(GlSessionDeathTest, AnOlderContextThanItsShadersNeedIsASetUpError) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto refuse = [] {
+    setenv("GALLIUM_DRIVER", "softpipe", 1);
+    auto context = createOsmesaContext({.major = 3, .minor = 3});
+    const auto session = GlSession::create(std::move(*context), GlShaderInput::kSpirv);
+    std::fputs(session ? "none" : sentence(session.error()).c_str(), stderr);
+    std::_Exit(session ? 0 : exitCode(session.error()));
+  };
+  EXPECT_EXIT(refuse(), testing::ExitedWithCode(3), "offers OpenGL 3.3 and the kit needs 4.5");
+}
+
+// Mesa hands out softpipe here without a word; only the renderer's name tells.
+TEST(GlSessionDeathTest, AnotherDriverThanTheDevicesIsASetUpErrorThatNamesIt) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto refuse = [] {
+    setenv("GALLIUM_DRIVER", "softpipe", 1);
+    const auto device = createGlDevice(
+        {.id = "gl-glsl", .shader_input = GlShaderInput::kGlsl330, .renderer_part = "llvmpipe"});
+    std::fputs(device ? "none" : sentence(device.error()).c_str(), stderr);
+    std::_Exit(device ? 0 : exitCode(device.error()));
+  };
+  EXPECT_EXIT(refuse(), testing::ExitedWithCode(3), "answers is 'softpipe' and not 'llvmpipe'");
 }
 
 }  // namespace

@@ -30,11 +30,32 @@ TEST(Registry, EveryRowIsFoundByItsId) {
   }
 }
 
+// Both ways round: a machine with a GPU has the device, one without is told why not and what to install.
+TEST(Registry, ADeviceOfHardwareIsThereOrSaysWhyNot) {
+  int count = 0;
+  for (const DeviceEntry& entry : deviceEntries()) {
+    if (entry.is_software) {
+      continue;
+    }
+    ++count;
+    const auto created = entry.create();
+    if (created) {
+      EXPECT_EQ((*created)->identity().id, entry.id);
+      EXPECT_EQ((*created)->identity().driver.find("llvmpipe"), std::string::npos);
+      continue;
+    }
+    EXPECT_EQ(created.error().kind, ErrorKind::kSetup);
+    EXPECT_NE(sentence(created.error()).find("Debian"), std::string::npos) << sentence(created.error());
+    EXPECT_NE(sentence(created.error()).find("GPU"), std::string::npos) << sentence(created.error());
+  }
+  EXPECT_EQ(count, 2);
+}
+
 std::string loadedDrivers() {
   std::ifstream file("/proc/self/maps");
   const std::string maps(std::istreambuf_iterator<char>(file), {});
   std::string found = maps.find("libc") == std::string::npos ? "nothing at all?" : "";
-  for (const char* const library : {"OSMesa", "libvulkan", "LLVM", "libGL"}) {
+  for (const char* const library : {"OSMesa", "libvulkan", "LLVM", "libGL", "libEGL", "swiftshader"}) {
     found += maps.find(library) == std::string::npos ? "" : library;
   }
   return found;

@@ -35,6 +35,19 @@ TEST(ToleranceClass, LlvmpipeUnderTwoApisIsOneRasteriser) {
   EXPECT_EQ(classOf("vk-lavapipe", "gl-osmesa"), "R");
 }
 
+TEST(ToleranceClass, TheSameDriverByAnotherDoorIsOnePipeline) {
+  EXPECT_EQ(classOf("gl-osmesa", "gl-egl"), "P");
+  EXPECT_EQ(classOf("vk-lavapipe", "gl-zink"), "P");
+}
+
+TEST(ToleranceClass, SoftpipeAndSwiftshaderAreRasterisersOfTheirOwn) {
+  for (const char* const other : {"gl-osmesa", "vk-lavapipe", "gl-zink", "gl-glsl"}) {
+    EXPECT_EQ(classOf("gl-softpipe", other), "X");
+    EXPECT_EQ(classOf("vk-swiftshader", other), "X");
+  }
+  EXPECT_EQ(classOf("gl-softpipe", "vk-swiftshader"), "X");
+}
+
 TEST(ToleranceClass, EveryRowIsItsOwnPipelineAndOnePipelineHasOneRasteriser) {
   for (const DeviceEntry& a : deviceEntries()) {
     EXPECT_FALSE(a.pipeline.empty()) << a.id;

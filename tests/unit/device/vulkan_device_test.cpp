@@ -19,7 +19,7 @@ namespace {
 class VulkanDeviceTest : public DeviceTest {
  protected:
   [[nodiscard]] static std::unique_ptr<Device> create() {
-    return valueOf(createVulkanDevice("vk-lavapipe", "llvmpipe"));
+    return valueOf(createVulkanDevice("vk-lavapipe", {.device_name_part = "llvmpipe"}));
   }
 };
 INSTANTIATE_TEST_SUITE_P(On, VulkanDeviceTest, testing::Values("vk-lavapipe"), nameOfDevice);
@@ -40,7 +40,7 @@ TEST_P(VulkanDeviceTest, TheIdentityNamesApiDriverAndVersion) {
 }
 
 TEST_P(VulkanDeviceTest, AnUnknownNameIsAnErrorThatListsTheDevicesThatWereSeen) {
-  const auto created = createVulkanDevice("vk-gpu", "no such device");
+  const auto created = createVulkanDevice("vk-none", {.device_name_part = "no such device"});
   ASSERT_FALSE(created);
   EXPECT_EQ(created.error().kind, ErrorKind::kSetup);
   EXPECT_TRUE(mentions(created.error().reasons, "llvmpipe")) << sentence(created.error());
@@ -50,7 +50,7 @@ TEST_P(VulkanDeviceTest, AnUnknownNameIsAnErrorThatListsTheDevicesThatWereSeen) 
 
 TEST_P(VulkanDeviceTest, AMachineWithoutADriverIsToldWhatToInstall) {
   const ScopedVariable files("VK_DRIVER_FILES", "/no/such/driver.json");
-  const auto created = createVulkanDevice("vk-lavapipe", "llvmpipe");
+  const auto created = createVulkanDevice("vk-lavapipe", {.device_name_part = "llvmpipe"});
   ASSERT_FALSE(created);
   EXPECT_EQ(created.error().kind, ErrorKind::kSetup);
   EXPECT_NE(sentence(created.error()).find("mesa-vulkan-drivers"), std::string::npos)
@@ -190,7 +190,7 @@ TEST_P(VulkanDeviceTest, ValidationReportsATargetOfAnotherKindThanTheShaderWrite
 
 TEST_P(VulkanDeviceTest, SynchronizationValidationReportsAMissingBarrier) {
   auto instance = valueOf(vulkan::Instance::create(valueOf(vulkan::Library::open()), true));
-  auto physical = valueOf(vulkan::pickPhysicalDevice(*instance, "llvmpipe"));
+  auto physical = valueOf(vulkan::pickPhysicalDevice(*instance, {.device_name_part = "llvmpipe"}));
   const auto gpu = valueOf(vulkan::Gpu::create(std::move(instance), std::move(physical)));
   auto commands = valueOf(vulkan::Commands::create(gpu));
   const auto texels =
