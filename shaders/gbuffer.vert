@@ -1,6 +1,7 @@
 // Draws the scene's triangles into the G-buffer: world-space vertices to view and clip space, and to the view space of
 // the previous frame.
 #version 450
+#include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"
 
 layout(std140, binding = 0) uniform GbufferBlock {
@@ -29,13 +30,13 @@ layout(location = 6) out vec3 p_previous_view;
 layout(location = 7) flat out vec3 px_scale_and_near;  // a program has one block, and this stage has it
 
 void main() {
-  p_view = (view_from_world * vec4(in_p_world, 1.0)).xyz;
-  normal_view = mat3(view_from_world) * in_normal_world;
-  tangent_view = vec4(mat3(view_from_world) * in_tangent_world.xyz, in_tangent_world.w);
+  p_view = ordered_transform(view_from_world, vec4(in_p_world, 1.0)).xyz;
+  normal_view = ordered_transform(view_from_world, vec4(in_normal_world, 0.0)).xyz;
+  tangent_view = vec4(ordered_transform(view_from_world, vec4(in_tangent_world.xyz, 0.0)).xyz, in_tangent_world.w);
   uv = in_uv;
-  face_normal_view = mat3(view_from_world) * in_face_normal_world;
+  face_normal_view = ordered_transform(view_from_world, vec4(in_face_normal_world, 0.0)).xyz;
   material_index = in_material_index;
-  p_previous_view = (previous_view_from_world * vec4(in_p_previous_world, 1.0)).xyz;
+  p_previous_view = ordered_transform(previous_view_from_world, vec4(in_p_previous_world, 1.0)).xyz;
   px_scale_and_near = vec3(px_scale, near_m);
-  gl_Position = rasterizer_from_clip(clip_from_view * vec4(p_view, 1.0));
+  gl_Position = rasterizer_from_clip(ordered_transform(clip_from_view, vec4(p_view, 1.0)));
 }

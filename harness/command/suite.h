@@ -45,7 +45,7 @@ struct SceneRun {
 struct SuiteOptions {
   std::filesystem::path shader_root;
   std::filesystem::path scenes_root;
-  std::filesystem::path goldens_root;  // where the truth `golden` is looked up
+  std::filesystem::path goldens_root;        // where the truth `golden` is looked up
   std::vector<std::string> devices;          // the run's, where a test names none
   std::vector<std::string> further_devices;  // those that tests name themselves
   Size size;                                 // the run's, where a test names none
