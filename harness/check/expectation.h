@@ -41,6 +41,7 @@ struct Expectation {
   std::vector<std::string> stages;  // the stages it is asked of; empty for a buffer of the frame
   std::vector<std::string> cases;   // the cases it is asked of; for metrics over cases, the cases in order
   std::vector<Size> sizes;          // empty: every size of the test
+  std::optional<std::vector<std::string>> devices;  // the devices it is asked of; absent: all
   Truth truth;
   std::optional<double> max;
   std::optional<double> min;

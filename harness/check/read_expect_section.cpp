@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "base/text.h"
@@ -57,8 +58,8 @@ std::vector<std::string> caseNames(const TestFile& test) {
 }
 
 std::vector<std::string> keysOf(const MetricRow& metric_row) {
-  std::vector<std::string> keys = {"name",  "metric", "buffer", "stages", "cases",      "sizes",
-                                   "truth", "max",    "min",    "unit",   "allow_empty"};
+  std::vector<std::string> keys = {"name", "metric", "buffer", "stages",      "cases",   "sizes", "truth",
+                                   "max",  "min",    "unit",   "allow_empty", "devices", "pair"};
   keys.insert(keys.end(), metric_row.keys.begin(), metric_row.keys.end());
   return keys;
 }
@@ -97,6 +98,39 @@ void readTruth(FieldReader& fields, const MetricRow& metric_row, const TestFile&
     fields.complain("buffer",
                     fmt::format("the truth 'geometry' does not know the buffer '{}'", expectation.buffer),
                     "of the images it knows dist_view alone");
+  }
+}
+
+// Which devices are asked: those named, those whose pair with the truth's device is of the class named, or
+// all.
+void readDevices(FieldReader& fields, const TestFile& test, const KnownNames& known,
+                 Expectation& expectation) {
+  const std::vector<std::string> named = fields.optionalTexts("devices");
+  for (const std::string& device : named) {
+    const std::vector<std::string>& names = test.devices.empty() ? known.devices : test.devices;
+    if (!names.empty()) {
+      fields.requireKnown("devices", device, "device", names);
+    }
+  }
+  if (!named.empty()) {
+    expectation.devices = named;
+  }
+  const std::optional<std::string> word = fields.optionalText("pair");
+  if (!word) {
+    return;
+  }
+  if (*word != "P" && *word != "R" && *word != "X") {
+    fields.complain("pair", fmt::format("'{}' is no class of pairs", *word),
+                    "write \"P\" (same pipeline), \"R\" (same rasteriser) or \"X\" (another one)");
+  } else if (expectation.truth.kind != TruthKind::kCross || !named.empty()) {
+    fields.complain("pair", "a pair is a device and the one that the truth names",
+                    "add truth = \"cross:DEVICE\", and leave devices out");
+  } else if (known.tolerance_class) {
+    expectation.devices.emplace();
+    std::ranges::copy_if(known.devices, std::back_inserter(*expectation.devices),
+                         [&](const std::string& device) {
+                           return known.tolerance_class(device, expectation.truth.name) == *word;
+                         });
   }
 }
 
@@ -190,6 +224,7 @@ Expected<Expectation> readExpectSection(const TomlValue& table, const TestFile& 
   expectation.allow_empty = fields.flag("allow_empty");
   readScope(fields, *metric_row, test, expectation);
   readTruth(fields, *metric_row, test, known, expectation);
+  readDevices(fields, test, known, expectation);
   readBounds(fields, *metric_row, rules, expectation);
   readMetricKeys(fields, *metric_row, test, expectation);
   if (!fields.ok()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ struct KnownNames {
   std::vector<std::string> frames;
   std::vector<std::string> techniques;
   std::vector<std::string> variants;
+  // "P", "R" or "X": how alike two devices' answers must be; what `pair` in a file means. Empty: nobody
+  // knows.
+  std::function<std::string(const std::string& a, const std::string& b)> tolerance_class;
 };
 
 // What files that are more than expectations (claims) allow beyond them.

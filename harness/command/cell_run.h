@@ -25,6 +25,7 @@ struct CellRun {
   std::optional<JobResult> result;
   std::optional<Error> error;
   std::optional<WorkerDeath> death;
+  double time_s = 0.0;          // of the worker, its start included
   Image mask;                   // 1 channel, from the material
   std::deque<Image> own_masks;  // of techniques that give their tracer a material of their own
   // Oracle A by the parameters that it depends on; stable addresses.

@@ -11,6 +11,8 @@ KitPaths kitPaths() {
           .shaders = root / "shaders",
           .scenes = root / "scenes",
           .expectations = root / "tests" / "expect",
+          .known_failures = root / "tests" / "known_failures.toml",
+          .conformance = root / "tests" / "conform",
           .claims = root / "tests" / "claims",
           .goldens = root / "tests" / "goldens",
           .build = SSRKIT_BUILD_DIR};

@@ -10,6 +10,8 @@ struct KitPaths {
   std::filesystem::path shaders;
   std::filesystem::path scenes;
   std::filesystem::path expectations;
+  std::filesystem::path known_failures;  // of the conformance matrix, by driver
+  std::filesystem::path conformance;     // the conformance matrix, files as in `expectations`
   std::filesystem::path claims;
   std::filesystem::path goldens;
   std::filesystem::path build;  // where the unit tests are

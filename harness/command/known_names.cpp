@@ -1,6 +1,7 @@
 #include "command/known_names.h"
 
 #include "device/registry.h"
+#include "device/tolerance_class.h"
 #include "frame/frames.h"
 #include "frame/stages.h"
 #include "frame/techniques.h"
@@ -9,8 +10,19 @@
 
 namespace ssrkit {
 
+namespace {
+
+// Both are known: the file's reader looked them up first.
+std::string toleranceLetter(const std::string& a, const std::string& b) {
+  const auto first = findDevice(a);
+  const auto second = findDevice(b);
+  return first && second ? std::string(letterOf(toleranceClass(**first, **second))) : std::string();
+}
+
+}  // namespace
+
 KnownNames knownNames(const KitPaths& paths) {
-  KnownNames known{.scenes = builtInScenes(paths.scenes)};
+  KnownNames known{.scenes = builtInScenes(paths.scenes), .tolerance_class = toleranceLetter};
   for (const DeviceEntry& entry : deviceEntries()) {
     known.devices.push_back(entry.id);
   }

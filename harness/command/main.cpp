@@ -13,6 +13,7 @@
 #include "command/bless.h"
 #include "command/compare.h"
 #include "command/compile.h"
+#include "command/conform_options.h"
 #include "command/devices.h"
 #include "command/interrupt.h"
 #include "command/kit_paths.h"
@@ -182,6 +183,8 @@ int commandLine(int argc, char** argv) {
   RunOptions run;
   TestOptions test;
   CompareOptions compare;
+  ConformOptions conform;
+  ConformMergeOptions conform_merge;
   CompileCommandOptions compile;
   BlessOptions bless;
   DevicesOptions devices;
@@ -189,10 +192,13 @@ int commandLine(int argc, char** argv) {
   run.command.front() = "./ssrkit";
   test.command = run.command;
   compare.command = run.command;
+  conform.command = run.command;
+  conform_merge.command = run.command;
   Command command;
   addRun(app, run, command);
   addTest(app, test, command);
   addCompare(app, compare, command);
+  addConform(app, conform, conform_merge, command);
   addDevices(app, devices, command);
   addCompile(app, compile, command);
   addBless(app, bless, command);

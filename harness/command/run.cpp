@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstring>
 #include <ctime>
 #include <future>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "base/text.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
+#include "command/output_folder.h"
 #include "command/parameters_file.h"
 #include "command/print_checks.h"
 #include "command/progress_line.h"
@@ -47,20 +47,6 @@ void warnOfTies(std::vector<CheckResult>& checks) {
       check.outcome = Outcome::kWarn;
     }
   }
-}
-
-// Fails before any work is done when nothing could be written afterwards.
-Expected<void> prepareFolder(const std::filesystem::path& folder) {
-  const std::string attempted = "write to the output folder";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return setupError(attempted, error.message(), folder.string(), "choose another one with --out");
-  }
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    return setupError(attempted, std::strerror(errno), folder.string(), "choose another one with --out");
-  }
-  return {};
 }
 
 std::string utcNow() {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <future>
 #include <iterator>
 #include <utility>
@@ -40,6 +41,13 @@ constexpr int kLongerTiming = 2;
 
 bool isInconclusive(const CheckResult& check) {
   return check.outcome == Outcome::kInconclusive;
+}
+
+// Whether answers over the test's input are held against those over each device's own G-buffer.
+bool comparesWithRendered(const TestFile& test) {
+  return std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
+    return expectation.truth.kind == TruthKind::kRendered;
+  });
 }
 
 }  // namespace
@@ -125,7 +133,9 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
   if (options_.progress) {
     options_.progress(fmt::format("{} {} on {}", test.id, job.id, device));
   }
+  const auto start = std::chrono::steady_clock::now();
   JobOutcome outcome = workerFor(device, job.variant).run(job, options_.limits);
+  cell.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (auto* result = std::get_if<JobResult>(&outcome)) {
     cell.result = std::move(*result);
     cell.mask = maskOf(cell.result->images);
@@ -159,7 +169,9 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
       // Every variant is given the same G-buffer, the one of the first.
       const bool renders_own = test.input.empty() || variant == test.cases.front().variant;
       for (const std::string& device : renders_own ? devices : std::vector<std::string>{}) {
-        runCell(test, device, job, "", run);
+        if (test.input.empty() || device == test.input || comparesWithRendered(test)) {
+          runCell(test, device, job, "", run);
+        }
       }
       if (!test.input.empty()) {
         runOverInput(test, devices, job, run);
@@ -220,7 +232,7 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
     check.id = test.id + "." + name;
     check.scene = source.name;
     check.metric = name;
-    check.repro = options_.command;
+    check.repro = commandFor(check.device);
     run.checks.push_back(std::move(check));
   };
   bool all_came_back = true;
@@ -243,7 +255,7 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
   }
   // A cell that never came back has been reported: what it leaves unanswered is not missing once more.
   const std::vector<CheckResult> checks = ssrkit::judge(
-      test, source.name, run.answers, [&](const Answer&) { return options_.command; },
+      test, source.name, run.answers, [&](const Answer& answer) { return commandFor(answer.device); },
       shelf ? goldenLookup(*shelf) : GoldenLookup{});
   std::ranges::copy_if(checks, std::back_inserter(run.checks), [&](const CheckResult& check) {
     return all_came_back || check.outcome != Outcome::kMissing;

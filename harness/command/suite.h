@@ -57,6 +57,7 @@ struct SuiteOptions {
   bool wants_ledger = false;
   bool geometry_of_first_device = false;  // Oracle B too, over the first device's G-buffer
   std::string command;                    // what the user typed, for the rerun line
+  bool tests_in_job_ids = false;          // "trace.bits clutter 64x36" instead of "clutter 64x36"
   std::function<void(const std::string&)> progress;
 };
 
@@ -71,8 +72,15 @@ class Suite {
   // Identity and traits of every device of the run; the first that is absent is an error.
   [[nodiscard]] Expected<std::map<std::string, DeviceInfo>> devices();
 
+  // One device's, which is started for it.
+  [[nodiscard]] Expected<DeviceInfo> device(const std::string& id) { return workers_.at(id).info(); }
+
   // What failures name as the command that runs them again.
   void setCommand(std::string command) { options_.command = std::move(command); }
+  // The same, by the device whose answer failed.
+  void setCommand(std::function<std::string(const std::string& device)> command_of) {
+    command_of_ = std::move(command_of);
+  }
 
   // A built-in scene by name, or any file, with the parameters of the TOML beside it.
   [[nodiscard]] static Expected<SceneSource> source(const std::string& name_or_path,
@@ -88,7 +96,12 @@ class Suite {
   void judge(const TestFile& test, const SceneSource& source, SceneRun& run);
   [[nodiscard]] GoldenLookup goldenLookup(GoldenShelf& shelf);
 
+  [[nodiscard]] std::string commandFor(const std::string& device) const {
+    return command_of_ ? command_of_(device) : options_.command;
+  }
+
   SuiteOptions options_;
+  std::function<std::string(const std::string& device)> command_of_;
   std::map<std::string, Worker> workers_;
   std::map<std::pair<std::string, std::string>, Worker> workers_of_variants_;  // by device and variant
 };

@@ -43,7 +43,8 @@ std::vector<TestCase> casesOf(const TestFile& test, const std::string& variant) 
 Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& options, Size size,
            const std::string& variant) {
   Job job;
-  job.id = fmt::format("{} {}x{}", source.name, size.width, size.height);
+  job.id = fmt::format("{}{} {}x{}", options.tests_in_job_ids ? test.id + " " : "", source.name, size.width,
+                       size.height);
   job.id += variant.empty() ? "" : " " + variant;
   job.variant = variant;
   job.scene_file = source.file;

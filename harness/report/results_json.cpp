@@ -161,6 +161,13 @@ std::string resultsJson(const RunReport& report) {
             {"size", sizeOf(row.size)},
             {"passes", passesOf(row.passes)}};
   };
+  const auto cellOf = [](const CellRow& row) -> Json {
+    return {{"id", row.id},
+            {"outcome", name(row.outcome)},
+            {"checks", row.checks},
+            {"time_s", row.time_s},
+            {"attempts", row.attempts}};
+  };
   const Json json = {
       {"schema", "ssrkit-results"},
       {"schema_version", kResultsSchemaVersion},
@@ -173,7 +180,8 @@ std::string resultsJson(const RunReport& report) {
       {"traces", listOf(report.rows, traceOf)},
       {"frames", listOf(report.frames, frameOf)},
       {"geometry", listOf(report.geometries, geometryOf)},
-      {"ledger", ledgerJson(report.ledger)}};
+      {"ledger", ledgerJson(report.ledger)},
+      {"cells", listOf(report.cells, cellOf)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -90,6 +90,15 @@ struct DeviceRow {
   DeviceTraits traits;
 };
 
+// One cell of the conformance matrix: test/scene/size/device.
+struct CellRow {
+  std::string id;
+  Outcome outcome = Outcome::kMissing;  // the gravest of its checks
+  std::size_t checks = 0;
+  double time_s = 0.0;  // of its worker, over all attempts
+  int attempts = 1;
+};
+
 struct RunReport {
   std::string kit_version;
   std::string started;               // UTC, ISO 8601: "2026-01-31T12:00:00Z"
@@ -100,6 +109,7 @@ struct RunReport {
   std::vector<FrameRow> frames;
   std::vector<GeometryRow> geometries;
   Ledger ledger;  // empty where fewer than two devices answered, or nobody asked
+  std::vector<CellRow> cells;  // of `conform`
 };
 
 // What the technique itself costs: the medians over the rounds (or the cold time, without rounds) of the pass

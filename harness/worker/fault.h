@@ -1,4 +1,5 @@
-// The fault of SSRKIT_FAULT (supervisor.h): a hook for tests that need a driver to fail.
+// The fault of SSRKIT_FAULT (docs/architecture.md, "Why workers"): a hook for tests that need a driver to
+// fail.
 #pragma once
 
 #include <string>
@@ -10,16 +11,24 @@ namespace ssrkit {
 
 class Fault {
  public:
-  // No fault when the variable is not set; fails on one of another form than "crash:TEXT", "hang:TEXT",
-  // "spin:TEXT".
+  // No fault when the variable is not set; fails on one of another form than
+  // KIND:TEXT[;after=OTHER][;once=FILE], where KIND is crash, hang, spin or wrong.
   [[nodiscard]] static Expected<Fault> fromEnvironment();
 
-  // Does not return when `place` contains TEXT.
-  void strikeAt(std::string_view place) const;
+  // Does not return when `place` contains TEXT, unless the kind is `wrong`.
+  void strikeAt(std::string_view place);
+
+  // Whether the answer that was made at `place` is to be spoilt: the kind `wrong` alone.
+  [[nodiscard]] bool spoils(std::string_view place);
 
  private:
+  [[nodiscard]] bool isTime(std::string_view place);
+
   std::string kind_;
   std::string text_;
+  std::string after_;        // strikes only after a place with this text
+  std::string once_;         // strikes only where this file is not there yet, and makes it
+  bool has_passed_ = false;  // such a place
 };
 
 }  // namespace ssrkit

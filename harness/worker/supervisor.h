@@ -46,9 +46,7 @@ struct WorkerOptions {
 // One device's worker. It is started at the first call, and again after a death. Different Workers may be
 // used from different threads at once; one Worker from one thread at a time.
 //
-// A hook for end-to-end tests: when SSRKIT_FAULT is "crash:TEXT", "hang:TEXT" or "spin:TEXT", a worker raises
-// SIGSEGV, sleeps for ever or loops for ever once it has reported a progress whose "DEVICE JOB: PROGRESS"
-// contains TEXT ("gl-osmesa clutter 640x360: draw trace_hiz").
+// SSRKIT_FAULT makes a worker fail on purpose (fault.h).
 class Worker {
  public:
   Worker(const DeviceEntry& entry, WorkerOptions options);

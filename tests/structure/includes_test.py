@@ -17,6 +17,7 @@ MAY_INCLUDE["oracle"] = {"base", "spaces", "image", "scene"}  # written apart fr
 MAY_INCLUDE["worker"] = MAY_INCLUDE["frame"] | {"frame"}
 MAY_INCLUDE["check"] = {"base", "spaces", "image", "scene", "oracle"}
 MAY_INCLUDE["report"] = MAY_INCLUDE["worker"] | {"check", "oracle", "worker"}
+MAY_INCLUDE["conform"] = (MAY_INCLUDE["report"] | {"report"}) - {"worker"}  # plans and books; it runs nothing itself
 MAY_INCLUDE["command"] = set(MAY_INCLUDE) - {"command"}
 
 INCLUDE = re.compile(r'^#include "([a-z_]+)/', re.MULTILINE)

@@ -1,0 +1,120 @@
+#include "conform/cell_record.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "conform/json_fields.h"
+#include "report/json_parts.h"
+
+namespace ssrkit {
+
+namespace {
+
+constexpr const char* kSchema = "ssrkit-cell";
+constexpr int kVersion = 1;
+
+constexpr std::array kGravestFirst = {
+    Outcome::kCrash, Outcome::kTimeout, Outcome::kLimiter, Outcome::kError,        Outcome::kFail,
+    Outcome::kXpass, Outcome::kMissing, Outcome::kFlake,   Outcome::kInconclusive, Outcome::kXfail,
+    Outcome::kWarn,  Outcome::kPass,    Outcome::kSkip};
+static_assert(kGravestFirst.size() == kOutcomeCount);
+
+Json checkJson(const CheckResult& check) {
+  Json histogram = Json::array();
+  for (const HistogramBin& bin : check.histogram) {
+    histogram.push_back({{"label", bin.label}, {"count", bin.count}});
+  }
+  Json interval = nullptr;
+  if (check.interval) {
+    interval = {numberOf(check.interval->first), numberOf(check.interval->second)};
+  }
+  return {{"id", check.id},
+          {"scene", check.scene},
+          {"device", check.device},
+          {"stage", check.stage},
+          {"size", sizeOf(check.size)},
+          {"case", check.case_name},
+          {"outcome", name(check.outcome)},
+          {"metric", check.metric},
+          {"value", numberOf(check.value)},
+          {"max", numberOf(check.max)},
+          {"min", numberOf(check.min)},
+          {"unit", check.unit},
+          {"interval", std::move(interval)},
+          {"compared", check.compared},
+          {"remark", check.remark},
+          {"histogram", std::move(histogram)},
+          {"message", check.message},
+          {"repro", check.repro}};
+}
+
+CheckResult checkOf(const JsonFields& fields) {
+  CheckResult check;
+  check.id = fields.text("id");
+  check.scene = fields.text("scene");
+  check.device = fields.text("device");
+  check.stage = fields.text("stage");
+  check.size = fields.size("size");
+  check.case_name = fields.text("case");
+  check.outcome = fields.outcome("outcome");
+  check.metric = fields.text("metric");
+  check.value = fields.number("value");
+  check.max = fields.number("max");
+  check.min = fields.number("min");
+  check.unit = fields.text("unit");
+  if (const auto ends = fields.numbers("interval"); ends.size() == 2) {
+    check.interval = {ends[0], ends[1]};
+  }
+  check.compared = fields.count("compared");
+  check.remark = fields.text("remark");
+  for (const JsonFields& bin : fields.objects("histogram")) {
+    check.histogram.push_back({bin.text("label"), bin.count("count")});
+  }
+  check.message = fields.text("message");
+  check.repro = fields.text("repro");
+  return check;
+}
+
+}  // namespace
+
+Outcome gravestOutcome(const std::vector<CheckResult>& checks) {
+  for (const Outcome outcome : kGravestFirst) {
+    if (std::ranges::find(checks, outcome, &CheckResult::outcome) != checks.end()) {
+      return outcome;
+    }
+  }
+  return Outcome::kMissing;
+}
+
+Outcome outcomeOf(const CellRecord& record) {
+  return gravestOutcome(record.checks);
+}
+
+std::string toJson(const CellRecord& record) {
+  Json checks = Json::array();
+  for (const CheckResult& check : record.checks) {
+    checks.push_back(checkJson(check));
+  }
+  const Json json = {
+      {"schema", kSchema},           {"schema_version", kVersion},         {"id", record.id},
+      {"inputs", record.inputs},     {"outcome", name(outcomeOf(record))}, {"time_s", record.time_s},
+      {"attempts", record.attempts}, {"checks", std::move(checks)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Expected<CellRecord> readCellRecord(std::string_view json, const std::string& file) {
+  return readJsonObject(json, file, kSchema, kVersion, [](const JsonFields& fields) {
+    CellRecord record;
+    record.id = fields.text("id");
+    record.inputs = fields.text("inputs");
+    record.time_s = fields.number("time_s").value_or(0.0);
+    record.attempts = static_cast<int>(fields.count("attempts"));
+    for (const JsonFields& check : fields.objects("checks")) {
+      record.checks.push_back(checkOf(check));
+    }
+    return record;
+  });
+}
+
+}  // namespace ssrkit
