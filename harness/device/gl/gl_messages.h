@@ -10,8 +10,8 @@ namespace ssrkit {
 
 class GlMessages {
  public:
-  // Keeps errors, undefined behaviour and everything of medium or high severity but compilers' warnings. `this` must outlive the
-  // context.
+  // Keeps errors, undefined behaviour and everything of medium or high severity but compilers' warnings.
+  // `this` must outlive the context.
   void listen(const GladGLContext& gl);
 
   // Since the last call.

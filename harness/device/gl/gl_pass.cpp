@@ -151,8 +151,8 @@ Expected<PassTime> drawGlPass(const std::shared_ptr<GlSession>& session, GlSampl
   }
   timestamps.end();
   gl.Finish();
-  // Zink's glFinish returns before work that an earlier flush has sent off is done; the second stamp is not there
-  // before it is.
+  // Zink's glFinish returns before work that an earlier flush has sent off is done; the second stamp is not
+  // there before it is.
   const std::int64_t device_ns = timestamps.elapsedNs();
   PassTime time = clock.elapsed();
   time.device_ns = device_ns;

@@ -102,8 +102,8 @@ void GlSession::setState() {
   // Row 0 of every image in memory is the top: the shaders flip y once, so the lower left of GL is our upper
   // left.
   gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  // As Vulkan has it. The vertex that flat values come from is also the one that interpolation starts from, so this
-  // decides the last bits of everything.
+  // As Vulkan has it. The vertex that flat values come from is also the one that interpolation starts from,
+  // so this decides the last bits of everything.
   gl_.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
