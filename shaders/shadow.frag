@@ -48,9 +48,9 @@ void main() {
   vec3 shading_normal = ordered_normalize(texelFetch(normal_view, ivec2(texel), 0).xyz);
   vec3 normal = geometric_normal(p_view, shading_normal, texel, projection, size_px);
   ShadowMap map = ShadowMap(shadow_cascades, shadow_side_texels, shadow_near_m, shadow_range_m);
-  vec3 p_light = (light_from_view * vec4(p_view, 1.0)).xyz;
-  vec3 normal_light = mat3(light_from_view) * normal;
-  float shading_cosine = -(mat3(light_from_view) * shading_normal).z;
+  vec3 p_light = ordered_transform(light_from_view, vec4(p_view, 1.0)).xyz;
+  vec3 normal_light = ordered_transform(light_from_view, vec4(normal, 0.0)).xyz;
+  float shading_cosine = -ordered_transform(light_from_view, vec4(shading_normal, 0.0)).z;
   // A sphere's facets just past its terminator face away and are still lit by their smooth normal. Their own plane
   // would cut the terminator into teeth: they are compared as points, with the bias of the smooth normal.
   bool faces_away = -normal_light.z <= SHADOW_MIN_COSINE;

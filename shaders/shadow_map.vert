@@ -5,6 +5,7 @@
 // from outside, as it lets the camera look in. All three corners of a triangle that is not there go outside the map.
 #version 450
 #include "material_flags.glsl"
+#include "ssr_ordered.glsl"
 
 layout(std140, binding = 0) uniform ShadowMapBlock {
   mat4 light_from_world;
@@ -26,7 +27,7 @@ layout(location = 0) out vec2 uv;
 layout(location = 1) flat out vec3 alpha;  // the material's, its cutoff, and 1 where a texture counts too
 
 void main() {
-  vec3 p_light = (light_from_world * vec4(in_p_world, 1.0)).xyz;
+  vec3 p_light = ordered_transform(light_from_world, vec4(in_p_world, 1.0)).xyz;
   uv = in_uv;
   vec4 cascade = shadow_cascades[shadow_cascade];
   vec2 map_px = (p_light.xy - cascade.xy) * cascade.w;
@@ -37,7 +38,7 @@ void main() {
   alpha = vec3(texelFetch(material_table, ivec2(0, row), 0).a, surface.a,
                material_has(surface, MATERIAL_BASE_COLOUR_TEXTURE) ? 1.0 : 0.0);
   bool is_double_sided = material_has(surface, MATERIAL_DOUBLE_SIDED);
-  bool faces_light = (mat3(light_from_world) * in_face_normal_world).z < 0.0;
+  bool faces_light = ordered_transform(light_from_world, vec4(in_face_normal_world, 0.0)).z < 0.0;
   if (!faces_light && !is_double_sided) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   }
