@@ -1,9 +1,10 @@
 // Puts each reflection in the place of the environment's: the sum over light stays a sum in which the specular part
 // appears once.
 //
-// In: lit, lit_base, reflection (a: confidence), albedo, normal_view, material, dist_view; environment, split_sum.
+// In: lit, lit_base, reflection (a: confidence), albedo, normal_view, material; split_sum.
 // Out: composite, linear radiance; lit itself, bit by bit, where no ray was traced or found anything.
-// With environment E, reflection R, confidence c and specular albedo w as in light_ggx.frag: lit_base + w mix(E, R, c).
+// With environment E, reflection R, confidence c and specular albedo w as in light_ggx.frag: lit_base + w mix(E, R, c),
+// where w E is what lit has over lit_base.
 // Deliot, "OpenGL engine and PBR deferred pipeline with SSR/SSAO", feeds each hit to the specular image-based light so.
 #version 450
 #include "surface_ggx.glsl"
@@ -14,10 +15,6 @@ layout(std140, binding = 0) uniform CompositeBlock {
   vec2 px_offset;
   vec2 view_per_px;
   vec2 texel_uv;
-  mat4 view_from_world;
-  float environment_side;
-  float environment_mip_count;
-  float irradiance_side;
   float split_sum_side;
 };
 
@@ -27,29 +24,25 @@ layout(binding = 3) uniform sampler2D reflection;
 layout(binding = 4) uniform sampler2D albedo;
 layout(binding = 5) uniform sampler2D normal_view;
 layout(binding = 6) uniform sampler2D material;
-layout(binding = 7) uniform sampler2D environment;
-layout(binding = 8) uniform sampler2D split_sum;
+layout(binding = 7) uniform sampler2D split_sum;
 
 layout(location = 0) out vec4 composite;
-
-vec3 load_environment(vec2 uv, float mip) { return textureLod(environment, uv, mip).rgb; }
 
 void main() {
   // Nearest samples in the place of texelFetch: the same texels in less time on llvmpipe.
   vec2 uv = gl_FragCoord.xy * texel_uv;
   vec4 found = textureLod(reflection, uv, 0.0);
   vec4 metal_rough = textureLod(material, uv, 0.0);
+  vec3 around = textureLod(lit, uv, 0.0).rgb;
   if (found.a <= 0.0 || metal_rough.b <= 0.0) {
-    composite = vec4(textureLod(lit, uv, 0.0).rgb, 1.0);
+    composite = vec4(around, 1.0);
     return;
   }
-  EnvironmentLayout maps = EnvironmentLayout(environment_side, environment_mip_count, irradiance_side, split_sum_side);
+  EnvironmentLayout maps = EnvironmentLayout(0.0, 0.0, 0.0, split_sum_side);
   vec3 to_eye = -ordered_normalize(vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0));
   vec3 normal = unit_normal(textureLod(normal_view, uv, 0.0).xyz, to_eye);
   GgxSurface surface = ggx_surface(textureLod(albedo, uv, 0.0).rgb, metal_rough.xy, normal, to_eye);
   vec2 split = textureLod(split_sum, split_sum_uv(surface.cos_view, metal_rough.y, maps), 0.0).rg;
-  vec3 reflected = specular_albedo(surface.f0, split);
-  vec3 around = environment_radiance(mirrored(surface) * mat3(view_from_world), metal_rough.y, maps);
-  vec3 arriving = mix(around, found.rgb, min(found.a, 1.0));
-  composite = vec4(min(textureLod(lit_base, uv, 0.0).rgb + reflected * arriving, LARGEST_HALF), 1.0);
+  vec3 replaced = textureLod(lit_base, uv, 0.0).rgb + specular_albedo(surface.f0, split) * found.rgb;
+  composite = vec4(min(mix(around, replaced, min(found.a, 1.0)), LARGEST_HALF), 1.0);
 }

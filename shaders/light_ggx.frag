@@ -52,26 +52,39 @@ vec3 reflected_light(GgxSurface surface, vec3 to_light, vec3 arriving, vec2 spli
   return cos_light > 0.0 ? ggx_brdf(surface, to_light, cos_light, split) * arriving * cos_light : vec3(0.0);
 }
 
-vec3 directional_lights(GgxSurface surface, vec2 split, float first_visible) {
-  vec3 radiance = vec3(0.0);
-  for (int i = 0; i < min(directional_count, MAX_LIGHTS); ++i) {
-    float visible = i == 0 ? first_visible : 1.0;
-    radiance += visible * reflected_light(surface, -directional_dir_view[i].xyz, directional_radiance[i].rgb, split);
-  }
-  return radiance;
+// The way to a light, and what arrives from it.
+struct Arriving {
+  vec3 to_light;
+  vec3 irradiance;
+};
+
+Arriving from_directional(int i, float first_visible) {
+  float visible = i == 0 ? first_visible : 1.0;
+  return Arriving(-directional_dir_view[i].xyz, visible * directional_radiance[i].rgb);
 }
 
 // A light at the very point that it lights comes from nowhere: it adds nothing there.
-vec3 point_lights(GgxSurface surface, vec2 split, vec3 p_view) {
+Arriving from_point(int i, vec3 p_view) {
+  vec3 offset_m = point_p_view[i].xyz - p_view;
+  float distance_m = sqrt(ordered_dot(offset_m, offset_m));
+  vec3 to_light = offset_m / max(distance_m, 1e-6);
+  float falloff = punctual_falloff(distance_m, point_p_view[i].a, -ordered_dot(to_light, point_dir_view[i].xyz),
+                                   point_intensity[i].a, point_dir_view[i].a);
+  return Arriving(to_light, point_intensity[i].rgb * falloff);
+}
+
+// All lights in one loop that tests at its end: one that tests first runs its body once more for nothing on llvmpipe,
+// and this body is half of the pass.
+vec3 all_lights(GgxSurface surface, vec2 split, vec3 p_view, float first_visible) {
+  int directional = min(directional_count, MAX_LIGHTS);
+  int count = directional + min(point_count, MAX_LIGHTS);
   vec3 radiance = vec3(0.0);
-  for (int i = 0; i < min(point_count, MAX_LIGHTS); ++i) {
-    vec3 offset_m = point_p_view[i].xyz - p_view;
-    float distance_m = sqrt(ordered_dot(offset_m, offset_m));
-    vec3 to_light = offset_m / max(distance_m, 1e-6);
-    float falloff = punctual_falloff(distance_m, point_p_view[i].a, -ordered_dot(to_light, point_dir_view[i].xyz),
-                                     point_intensity[i].a, point_dir_view[i].a);
-    radiance += reflected_light(surface, to_light, point_intensity[i].rgb * falloff, split);
-  }
+  int i = 0;
+  do {
+    Arriving light = i < directional ? from_directional(i, first_visible) : from_point(max(i - directional, 0), p_view);
+    vec3 reflected = reflected_light(surface, light.to_light, light.irradiance, split);
+    radiance += i < count ? reflected : vec3(0.0);
+  } while (++i < count);
   return radiance;
 }
 
@@ -80,8 +93,8 @@ vec3 base_radiance(GgxSurface surface, vec2 split, float dist) {
   vec2 uv = gl_FragCoord.xy * texel_uv;
   EnvironmentLayout maps = EnvironmentLayout(environment_side, environment_mip_count, irradiance_side, split_sum_side);
   vec3 radiance = textureLod(emission, uv, 0.0).rgb;
-  radiance += directional_lights(surface, split, textureLod(shadow, uv, 0.0).r);
-  radiance += point_lights(surface, split, vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0) * dist);
+  vec3 p_view = vec3((gl_FragCoord.xy - px_offset) * view_per_px, -1.0) * dist;
+  radiance += all_lights(surface, split, p_view, textureLod(shadow, uv, 0.0).r);
   vec3 around = textureLod(irradiance, irradiance_uv(surface.normal * mat3(view_from_world), maps), 0.0).rgb;
   return radiance + textureLod(ao, uv, 0.0).r * surface.diffuse * (1.0 - specular_albedo(surface.f0, split)) * around;
 }

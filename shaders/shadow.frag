@@ -39,10 +39,9 @@ float load_shadow_depth(vec2 texel) { return textureLod(shadow_map, (texel + 0.5
 void main() {
   vec2 texel = floor(gl_FragCoord.xy);
   float dist = load_dist_view(texel);
-  if (isinf(dist) || directional_count == 0) {
-    shadow = 1.0;
-    return;
-  }
+  // Without a branch: it would spare nothing on software rasterisers, and cost its mask.
+  bool is_unshadowed = isinf(dist) || directional_count == 0;
+  dist = is_unshadowed ? 1.0 : dist;
   PixelProjection projection = PixelProjection(px_scale, px_offset, view_per_px);
   vec3 p_view = position_px_to_view(texel + 0.5, dist, projection);
   vec3 shading_normal = ordered_normalize(texelFetch(normal_view, ivec2(texel), 0).xyz);
@@ -56,5 +55,5 @@ void main() {
   bool faces_away = -normal_light.z <= SHADOW_MIN_COSINE;
   vec2 slope = faces_away ? vec2(0.0) : shadow_slope(normal_light);
   float visibility = shadow_visibility(p_light, slope, faces_away ? shading_cosine : -normal_light.z, map);
-  shadow = shading_cosine > 0.0 ? visibility : 0.0;
+  shadow = is_unshadowed ? 1.0 : shading_cosine > 0.0 ? visibility : 0.0;
 }

@@ -41,13 +41,23 @@ vec2 shadow_map_px(vec3 p_light, vec4 cascade) { return (p_light.xy - cascade.xy
 
 float shadow_depth(float z_light, ShadowMap map) { return (z_light - map.near_m) / map.range_m; }
 
-// The finest cascade whose square holds all texels that the filter reads; SHADOW_MAX_CASCADES when there is none.
-int shadow_cascade_at(vec3 p_light, ShadowMap map) {
-  int found = SHADOW_MAX_CASCADES;
+struct ShadowCascade {
+  vec4 square;
+  float first_column;  // in the atlas, texels
+  bool is_found;
+};
+
+// The finest cascade whose square holds all texels that the filter reads. Carried along instead of looked up by its
+// number: every index is a constant, which is faster on software rasterisers.
+ShadowCascade shadow_cascade_at(vec3 p_light, ShadowMap map) {
+  ShadowCascade found = ShadowCascade(map.cascades[0], 0.0, false);
   for (int i = SHADOW_MAX_CASCADES - 1; i >= 0; --i) {
     vec2 px = shadow_map_px(p_light, map.cascades[i]);
     vec2 to_edge = min(px, map.side_texels - px);
-    found = min(to_edge.x, to_edge.y) >= SHADOW_FILTER_RADIUS + 0.5 ? i : found;
+    bool holds = min(to_edge.x, to_edge.y) >= SHADOW_FILTER_RADIUS + 0.5;
+    found.square = holds ? map.cascades[i] : found.square;
+    found.first_column = holds ? float(i) * map.side_texels : found.first_column;
+    found.is_found = found.is_found || holds;
   }
   return found;
 }
@@ -74,11 +84,8 @@ float shadow_bias_m(vec2 slope, float cosine, float texel_m, ShadowMap map) {
 vec2 shadow_slope(vec3 normal_light) { return normal_light.xy / max(-normal_light.z, SHADOW_MIN_COSINE); }
 
 float shadow_visibility(vec3 p_light, vec2 slope, float cosine, ShadowMap map) {
-  int index = shadow_cascade_at(p_light, map);
-  if (cosine <= SHADOW_MIN_COSINE || index == SHADOW_MAX_CASCADES) {
-    return cosine <= SHADOW_MIN_COSINE ? 0.0 : 1.0;
-  }
-  vec4 cascade = map.cascades[index];
+  ShadowCascade found = shadow_cascade_at(p_light, map);
+  vec4 cascade = found.square;
   vec2 corner = shadow_map_px(p_light, cascade) - SHADOW_FILTER_RADIUS;
   vec2 first = floor(corner);
   vec2 cut_off = corner - first;  // the part of the first texel outside the square, and of the last one inside it
@@ -86,7 +93,7 @@ float shadow_visibility(vec3 p_light, vec2 slope, float cosine, ShadowMap map) {
   float z_first = (p_light.z - shadow_bias_m(slope, cosine, cascade.z, map)) + ordered_dot(slope, first_offset_m);
   float depth = shadow_depth(z_first, map);
   vec2 step_depth = slope * (cascade.z / map.range_m);
-  vec2 texel = first + vec2(float(index) * map.side_texels, 0.0);
+  vec2 texel = first + vec2(found.first_column, 0.0);
   vec2 edges = vec2(1.0 - cut_off.x, cut_off.x);
   vec2 down = vec2(0.0, 1.0);
   float lit_texels = shadow_row(texel, depth, step_depth.x, edges) * (1.0 - cut_off.y);
@@ -95,7 +102,8 @@ float shadow_visibility(vec3 p_light, vec2 slope, float cosine, ShadowMap map) {
   lit_texels += shadow_row(texel + 3.0 * down, depth + 3.0 * step_depth.y, step_depth.x, edges) * cut_off.y;
   float share = lit_texels / (4.0 * SHADOW_FILTER_RADIUS * SHADOW_FILTER_RADIUS);
   // The weights' sum is 9 up to rounding: all lit is 1 and not a little beside it.
-  return share > 1.0 - 1e-5 ? 1.0 : share;
+  float visibility = share > 1.0 - 1e-5 || !found.is_found ? 1.0 : share;
+  return cosine <= SHADOW_MIN_COSINE ? 0.0 : visibility;
 }
 
 #endif
