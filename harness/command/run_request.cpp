@@ -12,6 +12,7 @@
 #include "command/parameters_file.h"
 #include "frame/frames.h"
 #include "frame/stages.h"
+#include "frame/technique_in_frame.h"
 #include "frame/techniques.h"
 #include "scene/find_scene.h"
 
@@ -70,30 +71,41 @@ Expected<std::vector<SceneSource>> sources(const RunOptions& options, const KitP
   return list;
 }
 
-// Chooses the frame and makes one case of each technique.
-Expected<void> chooseTechniques(const RunOptions& options, TestFile& test) {
-  std::string frame = options.frame;
-  for (const std::string& name : withoutRepeats(options.techniques)) {
+// The one asked for, else the one that the first technique with a frame of its own needs.
+Expected<const FrameKind*> chooseFrame(const RunOptions& options) {
+  if (!options.frame.empty()) {
+    return findFrameKind(options.frame);
+  }
+  for (const std::string& name : options.techniques) {
     const auto technique = findTechnique(name);
     if (!technique) {
       return tl::make_unexpected(technique.error());
     }
-    const std::string& needed = (*technique)->frame;
-    if (!needed.empty() && !frame.empty() && frame != needed) {
-      return inputError("run", fmt::format("the technique '{}' needs the frame '{}'", name, needed),
-                        "--technique", fmt::format("it was asked for with the frame '{}'", frame));
+    if (!(*technique)->frame.empty()) {
+      return findFrameKind((*technique)->frame);
     }
-    frame = needed.empty() ? frame : needed;
+  }
+  return &frameKinds().front();
+}
+
+// Makes one case of each technique.
+Expected<void> chooseTechniques(const RunOptions& options, TestFile& test) {
+  const auto kind = chooseFrame(options);
+  if (!kind) {
+    return tl::make_unexpected(kind.error());
+  }
+  test.frame = (*kind)->name;
+  for (const std::string& name : withoutRepeats(options.techniques)) {
+    const auto technique = findTechnique(name);
+    const auto drawn = technique ? inFrame(**technique, **kind) : tl::make_unexpected(technique.error());
+    if (!drawn) {
+      return tl::make_unexpected(drawn.error());
+    }
     TestCase test_case = test.cases.front();
     test_case.name = name;
     test_case.technique = name;
     test.cases.push_back(std::move(test_case));
   }
-  const auto kind = findFrameKind(frame.empty() ? "basic" : frame);
-  if (!kind) {
-    return tl::make_unexpected(kind.error());
-  }
-  test.frame = (*kind)->name;
   if (options.techniques.empty()) {
     test.cases.front().technique = (*kind)->technique;
     return {};

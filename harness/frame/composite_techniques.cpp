@@ -1,25 +1,13 @@
 #include "frame/composite_techniques.h"
 
+#include "frame/shared_passes.h"
+
 namespace ssrkit {
 
 namespace {
 
-constexpr double kNone = 1e30;
-
 FramePass resolve() {
   return {.name = "resolve", .outputs = {"reflection"}};
-}
-
-// What a technique takes from the trace's own reach and budget only, it leaves at kNone here.
-FramePass confidence() {
-  return {.name = "confidence",
-          .outputs = {"reflection_weighed"},
-          .constants = {{"edge_fade_fraction", 0.1},
-                        {"fade_distance_m", kNone},
-                        {"rejects_back_faces", 1},
-                        {"facing_fade_start", 0.75},
-                        {"facing_fade_end", 1.0},
-                        {"fade_lookups", kNone}}};
 }
 
 FramePass composite(const std::string& reflection) {
@@ -57,14 +45,14 @@ std::vector<FramePass> coneMips() {
   return {{.name = "copy_lit", .outputs = {"lit_mips"}, .inputs = {{"source", "lit"}}, .shader = "copy.frag"},
           {.name = "mips_reduce", .outputs = {"lit_mips"}, .fills_mips = true},
           {.name = "resolve_cone", .outputs = {"reflection"}},
-          confidence()};
+          confidencePass()};
 }
 
 // Ends with the image reflection_blurred_wide.
 std::vector<FramePass> glossBlur() {
   std::vector<FramePass> passes = {
       resolve(),
-      confidence(),
+      confidencePass(),
       {.name = "blur_guide", .outputs = {"blur_guide"}, .constants = {{"max_radius_px", 48.0}}}};
   for (const auto& pair : {blurPair("blur_narrow", "reflection_weighed", "reflection_blurred", 1),
                            blurPair("blur_wide", "reflection_blurred", "reflection_blurred_wide", 0)}) {
@@ -82,7 +70,7 @@ std::vector<Technique> compositeTechniques() {
        .after_trace = {resolve(), {.name = "composite", .outputs = {"composite"}}}},
       {.name = "confidence",
        .about = "mirror, faded where the screen's knowledge ends",
-       .after_trace = {resolve(), confidence(), composite("reflection_weighed")}},
+       .after_trace = {resolve(), confidencePass(), composite("reflection_weighed")}},
       {.name = "additive",
        .about = "adds the hit's colour by a visibility from specular and shininess (INF584)",
        .after_trace = {resolve(),
@@ -100,7 +88,7 @@ std::vector<Technique> compositeTechniques() {
        .about =
            "each reflection in the place of the environment's, in the metallic-roughness sum, by confidence",
        .frame = "full",
-       .after_trace = {resolve(), confidence(), compositeReplace("reflection_weighed")}},
+       .after_trace = {resolve(), confidencePass(), compositeReplace("reflection_weighed")}},
   };
 }
 
@@ -123,7 +111,7 @@ std::vector<Technique> filterTechniques() {
       {.name = "push_pull",
        .about = "holes of the reflection filled from the nearest pixels that are known",
        .after_trace = {resolve(),
-                       confidence(),
+                       confidencePass(),
                        {.name = "copy_reflection",
                         .outputs = {"known"},
                         .inputs = {{"source", "reflection_weighed"}},

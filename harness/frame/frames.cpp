@@ -31,7 +31,9 @@ const std::vector<FrameKind>& table() {
                    .shader = "ao_blur.frag"},
                   {.name = "light_ggx", .outputs = {"lit", "lit_base"}}},
        .has_environment = true,
-       .technique = "replace"},
+       .technique = "replace",
+       // Its lit image holds the environment's specular reflection: what a ray found takes its place.
+       .draws_instead = {{"composite", "composite_replace"}}},
   };
   return rows;
 }

@@ -1,6 +1,7 @@
 // The kinds of frame, as rows of data: which passes follow the G-buffer and are shared by all traces.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ struct FrameKind {
   std::vector<FramePass> passes;  // after the G-buffer, in order; one of them writes "lit"
   bool has_environment = false;   // its passes sample the environment's maps
   std::string technique;          // what reflections are shown with unless a technique is named
+  // By name, the passes of techniques that would count some of this frame's light twice, and the pass that
+  // reads and writes the same images in their place.
+  std::map<std::string, std::string> draws_instead = {};
 };
 
 // "basic" first: what `run` draws.

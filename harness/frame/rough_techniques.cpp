@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "frame/shared_passes.h"
+
 namespace ssrkit {
 
 namespace {
@@ -16,6 +18,7 @@ Technique ggx(const std::string& name, int sample_count, int point_set) {
           .about = fmt::format("GGX: {} visible microfacet{} a pixel, from {} points", sample_count,
                                sample_count == 1 ? "" : "s",
                                point_set == kWhitePoints ? "independent" : "blue Hammersley"),
+          .frame = "basic",
           .before_trace = {{.name = "sample_microfacet",
                             .outputs = {"microfacet_normal"},
                             .constants = {{"point_set", point_set}}}},
@@ -62,9 +65,7 @@ Technique replacingGgx(int sample_count) {
   Technique technique = ggx(fmt::format("replace_ggx_{}", sample_count), sample_count, kBlueHammersley);
   technique.about += ", in the place of the environment's";
   technique.frame = "full";
-  technique.after_sample = {{.name = "accumulate_arriving",
-                             .outputs = {"reflected_sum_next", "weight_sum_next"},
-                             .swaps_with = {"reflected_sum", "weight_sum"}}};
+  technique.after_sample = {accumulateArrivingPass()};
   technique.after_trace = {{.name = "average_arriving", .outputs = {"reflection"}},
                            {.name = "composite_replace", .outputs = {"composite"}}};
   return technique;
@@ -74,6 +75,7 @@ Technique replacingGgx(int sample_count) {
 Technique stochastic() {
   return {.name = "stochastic",
           .about = "stochastic SSR: one ray a pixel, reused by its neighbours, filtered by its variance",
+          .frame = "basic",
           .before_trace = {{.name = "classify_rays",
                             .outputs = {"microfacet_normal", "ray_material"},
                             .constants = {{"max_traced_roughness", kMaxTracedRoughness}}}},
@@ -111,7 +113,10 @@ std::vector<Technique> roughTechniques() {
           ggx("ggx_128", 128, kBlueHammersley),
           ggx("ggx_16_white", 16, kWhitePoints),
           stochastic(),
+          replacingGgx(1),
+          replacingGgx(4),
           replacingGgx(16),
+          replacingGgx(128),
           replacingStochastic()};
 }
 

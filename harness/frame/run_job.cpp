@@ -152,7 +152,7 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
   }
   std::vector<Tracing> tracings;
   for (const TraceRequest& request : job.traces) {
-    auto tracing = Tracing::prepare(programs, settings, request, job.size, progress);
+    auto tracing = Tracing::prepare(programs, settings, job, request, progress);
     if (!tracing) {
       return tl::make_unexpected(tracing.error());
     }

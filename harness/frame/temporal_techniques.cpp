@@ -1,5 +1,7 @@
 #include "frame/temporal_techniques.h"
 
+#include "frame/shared_passes.h"
+
 namespace ssrkit {
 
 namespace {
@@ -46,6 +48,7 @@ Technique temporal() {
 Technique temporalGgx() {
   return {.name = "ggx_temporal",
           .about = "GGX: one visible microfacet a pixel and frame, 16 frames together",
+          .frame = "basic",
           .before_trace = {{.name = "sample_microfacet",
                             .outputs = {"microfacet_normal"},
                             .constants = {{"point_set", kBlueHammersley}}}},
@@ -60,10 +63,39 @@ Technique temporalGgx() {
           .read_back = kReadBack};
 }
 
+// Weighed by confidence before they are averaged: what fades is what each frame knew.
+Technique replacingTemporal() {
+  FramePass averaged = accumulate(1, 9.0);
+  averaged.inputs = {{"reflection", "reflection_weighed"}};
+  return {.name = "replace_temporal",
+          .about = "confident reflections of several frames together, in the place of the environment's",
+          .frame = "full",
+          .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
+                          confidencePass(),
+                          averaged,
+                          compositeOf("composite_replace")},
+          .frame_count = 8,
+          .read_back = {"reflection", "reflection_weighed", "accumulated", "history_length", "composite"}};
+}
+
+// Without Fresnel and the sky, for the frame's sum to weigh: the hits' radiance with their share as its
+// alpha.
+Technique replacingTemporalGgx() {
+  Technique technique = temporalGgx();
+  technique.name = "replace_ggx_temporal";
+  technique.about += ", in the place of the environment's";
+  technique.frame = "full";
+  technique.after_sample = {accumulateArrivingPass()};
+  technique.after_trace = {{.name = "average_arriving", .outputs = {"reflection"}},
+                           accumulate(1, 15.0),
+                           compositeOf("composite_replace")};
+  return technique;
+}
+
 }  // namespace
 
 std::vector<Technique> temporalTechniques() {
-  return {history(), temporal(), temporalGgx()};
+  return {history(), temporal(), temporalGgx(), replacingTemporal(), replacingTemporalGgx()};
 }
 
 }  // namespace ssrkit

@@ -7,6 +7,7 @@
 
 #include "frame/image_transfer.h"
 #include "frame/stages.h"
+#include "frame/technique_in_frame.h"
 
 namespace ssrkit {
 
@@ -16,6 +17,19 @@ namespace {
 const Technique& noTechnique() {
   static const Technique none{.name = "", .about = "", .frame = "", .read_back = {}};
   return none;
+}
+
+// As the job's frame draws it.
+Expected<Technique> techniqueOf(const Job& job, const TraceRequest& request) {
+  if (request.technique.empty()) {
+    return noTechnique();
+  }
+  const auto kind = findFrameKind(job.frame);
+  const auto technique = findTechnique(request.technique);
+  if (!kind || !technique) {
+    return tl::make_unexpected(kind ? technique.error() : kind.error());
+  }
+  return inFrame(**technique, **kind);
 }
 
 }  // namespace
@@ -76,21 +90,20 @@ FramePass tracePass(const std::string& shader) {
           .shader = shader};
 }
 
-Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings,
-                                   const TraceRequest& request, Size size, const Progress& progress) {
+Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings, const Job& job,
+                                   const TraceRequest& request, const Progress& progress) {
   const auto stage = findStage(request.stage);
   if (!stage) {
     return tl::make_unexpected(stage.error());
   }
-  const auto technique = request.technique.empty() ? Expected<const Technique*>(&noTechnique())
-                                                   : findTechnique(request.technique);
+  auto technique = techniqueOf(job, request);
   if (!technique) {
     return tl::make_unexpected(technique.error());
   }
   Tracing tracing;
   tracing.stage_ = request.stage;
-  tracing.parameters_ = withStageDefaults(request.parameters, **stage, size);
-  tracing.technique_ = **technique;
+  tracing.parameters_ = withStageDefaults(request.parameters, **stage, job.size);
+  tracing.technique_ = std::move(*technique);
   FramePass pass = tracePass(shaderOf(**stage, tracing.parameters_));
   pass.inputs = tracing.technique_.trace_inputs;
   if (tracing.technique_.ray_stride_texels > 1) {

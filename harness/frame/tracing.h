@@ -28,9 +28,10 @@ void setTraceUniforms(UniformValues& values, const TraceParameters& parameters);
 // A trace that is ready to be drawn as often as its timing asks for.
 class Tracing {
  public:
-  // Finds the stage and the technique, fills their defaults, compiles everything that the request needs.
+  // Finds the stage and the technique, fills their defaults, compiles everything that one of the job's
+  // requests needs.
   [[nodiscard]] static Expected<Tracing> prepare(Programs& programs, const CompileSettings& settings,
-                                                 const TraceRequest& request, Size size,
+                                                 const Job& job, const TraceRequest& request,
                                                  const Progress& progress);
 
   // Has the history keep what the technique reads of the previous frame; `owner` tells traces apart.

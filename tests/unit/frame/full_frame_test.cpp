@@ -1,0 +1,137 @@
+// Every technique over a frame whose lit image holds the environment's reflection already.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "frame/frames.h"
+#include "frame/run_job.h"
+#include "frame/technique_in_frame.h"
+#include "pass_test.h"
+#include "rough_floor.h"
+
+namespace ssrkit {
+namespace {
+
+constexpr float kFurnace = 0.5F;
+
+// Of perfect metal, three strips of roughness; everything, the environment too, has one radiance, and all of
+// the floor's is the environment's that it reflects.
+Job furnace() {
+  Job job;
+  job.id = "furnace";
+  job.size = kFloorSize;
+  job.frame = "full";
+  job.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders";
+  job.environment = EnvironmentChoice{.file = {}, .constant = glm::vec3(kFurnace)};
+  job.gbuffer_camera = floorCamera();
+  job.gbuffer = floorGbuffer([](int x) { return x < 20 ? 0.0 : x < 40 ? 0.3125 : 0.75; });
+  std::ranges::fill(job.gbuffer.at("lit").data, kFurnace);
+  Image base = job.gbuffer.at("lit");
+  for (std::size_t i = 0; i < base.data.size(); ++i) {
+    const bool is_floor = i / (3U * kFloorSize.width) >= kFirstFloorRow;
+    base.data[i] = is_floor ? 0.0F : kFurnace;
+  }
+  job.gbuffer["lit_base"] = std::move(base);
+  return job;
+}
+
+// They add to the lit image as published; docs/techniques.md has the gain of each.
+bool addsByDesign(const Technique& technique) {
+  return technique.name == "additive" || technique.name == "metallic";
+}
+
+class FullFrameTest : public PassTest {
+ protected:
+  JobResult run(const Job& job) {
+    auto result = JobRunner(*device_, target_).run(job, [](const std::string&) {});
+    EXPECT_TRUE(result.has_value()) << sentence(result.error());
+    return result ? *std::move(result) : JobResult{};
+  }
+
+  // "" when the technique shows nothing but the furnace, to within a half's rounding, twice.
+  std::string keepsTheFurnace(const Technique& technique, Job job) {
+    job.sequence.frame_count = technique.frame_count;
+    job.traces = {{.stage = "hiz", .parameters = {}, .technique = technique.name}};
+    const JobResult result = run(job);
+    const std::string wrong = followsFormula(
+        result.traces.at(0).images.at("composite"), [](int, int) { return kFurnace; }, 1e-3 * kFurnace);
+    return wrong.empty() ? "" : fmt::format("{}: {}", technique.name, wrong);
+  }
+};
+
+TEST_P(FullFrameTest, EveryTechniqueThatReplacesOrBlendsKeepsAFurnace) {
+  const auto check = [&](const std::string& composite) -> std::string {
+    Job job = furnace();
+    if (std::filesystem::path(composite).is_absolute()) {
+      job.replacements = {{.pass = "composite_replace", .file = composite}};
+    }
+    for (const Technique& technique : techniques()) {
+      const bool is_drawn = technique.frame.empty() || technique.frame == "full";
+      const std::string wrong =
+          is_drawn && !addsByDesign(technique) ? keepsTheFurnace(technique, job) : std::string();
+      if (!wrong.empty()) {
+        return wrong;
+      }
+    }
+    return "";
+  };
+  holdsAndKills(check, "composite_replace.frag", {"composite_over_lit"});
+}
+
+// The same check sees those that do not.
+TEST_P(FullFrameTest, WhatAddsByDesignDoesNot) {
+  for (const Technique& technique : techniques()) {
+    if (addsByDesign(technique)) {
+      EXPECT_NE(keepsTheFurnace(technique, furnace()), "") << technique.name;
+    }
+  }
+}
+
+// What found nothing shows the lit image itself, and every ray's verdict is the same as in the basic frame.
+TEST_P(FullFrameTest, AMissLeavesTheLitImageAsItIs) {
+  Job job = furnace();
+  for (const char* technique : {"mirror", "confidence", "history", "temporal", "normals_octahedral"}) {
+    job.traces.push_back({.stage = "hiz", .parameters = {}, .technique = technique});
+  }
+  const JobResult result = run(job);
+  const Image& lit = result.images.at("lit");
+  for (const TraceResult& trace : result.traces) {
+    int missed = 0;
+    for (int y = 0; y < kFloorSize.height; ++y) {
+      for (int x = 0; x < kFloorSize.width; ++x) {
+        const bool is_hit = trace.record.at(x, y).ray_class == RayClass::kHit;
+        missed += is_hit ? 0 : 1;
+        ASSERT_TRUE(is_hit || trace.images.at("composite").at(x, y) == lit.at(x, y)) << trace.technique;
+      }
+    }
+    EXPECT_GT(missed, 100) << trace.technique;
+  }
+}
+
+TEST_P(FullFrameTest, NamesTheRowThatIsMadeForIt) {
+  const auto full = findFrameKind("full");
+  ASSERT_TRUE(full.has_value());
+  std::set<std::string> refused;
+  for (const Technique& technique : techniques()) {
+    if (const auto drawn = inFrame(technique, **full); !drawn) {
+      refused.insert(technique.name);
+      EXPECT_NE(sentence(drawn.error()).find("it needs the frame 'basic'"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(refused, (std::set<std::string>{"ggx_1", "ggx_4", "ggx_16", "ggx_16_white", "ggx_128",
+                                            "stochastic", "ggx_temporal"}));
+  EXPECT_NE(
+      sentence(inFrame(**findTechnique("ggx_16"), **full).error()).find("'replace_ggx_16' does the same"),
+      std::string::npos);
+  Job job = furnace();
+  job.traces = {{.stage = "hiz", .parameters = {}, .technique = "stochastic"}};
+  const auto result = JobRunner(*device_, target_).run(job, [](const std::string&) {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_NE(sentence(result.error()).find("'replace_stochastic' does the same there"), std::string::npos)
+      << sentence(result.error());
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, FullFrameTest, testing::Values("gl-osmesa", "vk-lavapipe"), deviceTestName);
+
+}  // namespace
+}  // namespace ssrkit
