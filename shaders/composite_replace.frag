@@ -43,6 +43,8 @@ void main() {
   vec3 normal = unit_normal(textureLod(normal_view, uv, 0.0).xyz, to_eye);
   GgxSurface surface = ggx_surface(textureLod(albedo, uv, 0.0).rgb, metal_rough.xy, normal, to_eye);
   vec2 split = textureLod(split_sum, split_sum_uv(surface.cos_view, metal_rough.y, maps), 0.0).rg;
-  vec3 replaced = textureLod(lit_base, uv, 0.0).rgb + specular_albedo(surface.f0, split) * found.rgb;
-  composite = vec4(min(mix(around, replaced, min(found.a, 1.0)), LARGEST_HALF), 1.0);
+  // In one order: drivers write mix() out in several ways, and a half's last bit would tell (docs/precision.md).
+  precise vec3 replaced = textureLod(lit_base, uv, 0.0).rgb + specular_albedo(surface.f0, split) * found.rgb;
+  precise vec3 mixed = around + min(found.a, 1.0) * (replaced - around);
+  composite = vec4(min(mixed, LARGEST_HALF), 1.0);
 }
