@@ -25,7 +25,7 @@ struct KnownFailure {
   std::string reason;
   std::chrono::sys_days expires;  // the last day on which it is expected
   std::string bug;                // where the bug is described: "docs/driver-bugs.md#loop-cap"
-  std::string where;              // "tests/conform/baseline.toml:12:1"
+  std::string where;              // "tests/known_failures.toml:12:1"
 };
 
 // By device id: API, driver and version as one text, for `driver`.

@@ -57,6 +57,7 @@ MakeSuite suiteMaker(const ConformPlan& plan, const KitPaths& paths) {
                           .devices = devices,
                           .size = {64, 36},
                           .limits = {},
+                          .wants_ledger = true,
                           .tests_in_job_ids = true});
   };
 }

@@ -6,6 +6,7 @@
 
 #include "command/conform_pictures.h"
 #include "conform/isolate.h"
+#include "report/ledger_table.h"
 
 namespace ssrkit {
 
@@ -59,6 +60,12 @@ ConformLane::Once ConformLane::collect(const TestFile& test, const Cell& cell, c
   for (const CheckResult& check : run.checks) {
     if (check.device == cell.device) {
       once.checks.push_back(check);
+    }
+  }
+  // A pair belongs to the cell of its second device, so that shards and merged runs count it once.
+  for (const auto& [key, entry] : overStages(run.ledger)) {
+    if (key.other == cell.device) {
+      once.ledger.emplace(key, entry);
     }
   }
   for (const CellRun& job : run.cells) {
@@ -155,6 +162,7 @@ Expected<std::map<std::string, ConformLane::Once>> ConformLane::runRepeatedly(st
     for (auto& [device, result] : once.cells) {
       runs[device].push_back(std::move(result.checks));
       results[device].time_s += result.time_s;
+      results[device].ledger = std::move(result.ledger);
       results[device].has_lost_truth = results[device].has_lost_truth || result.has_lost_truth;
     }
   }
@@ -220,7 +228,8 @@ Expected<std::vector<CellRecord>> ConformLane::run(std::span<const Cell> group) 
                        .inputs = "",
                        .time_s = once.time_s,
                        .attempts = repeat_ + isolated.extra_runs,
-                       .checks = std::move(isolated.checks)});
+                       .checks = std::move(isolated.checks),
+                       .ledger = std::move(once.ledger)});
   }
   return records;
 }

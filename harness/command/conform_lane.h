@@ -36,6 +36,7 @@ class ConformLane {
   // One cell of a group, run once.
   struct Once {
     std::vector<CheckResult> checks;
+    Ledger ledger;
     double time_s = 0.0;
     bool has_lost_truth = false;  // a device that it is held against gave no answer
   };

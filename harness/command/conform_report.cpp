@@ -11,6 +11,7 @@
 #include "command/known_names.h"
 #include "command/print_checks.h"
 #include "conform/outcome_table.h"
+#include "report/ledger_table.h"
 #include "report/report_files.h"
 #include "report/results_json.h"
 #include "report/table.h"
@@ -30,6 +31,7 @@ RunReport runReport(const ConformReport& conform) {
                             .checks = record.checks.size(),
                             .time_s = record.time_s,
                             .attempts = record.attempts});
+    addToLedger(record.ledger, report.ledger);
     report.checks.insert(report.checks.end(), record.checks.begin(), record.checks.end());
   }
   return report;
@@ -109,6 +111,9 @@ Expected<int> finishConform(ConformReport conform) {
     return code;
   }
   fmt::print("{}", outcomeTable(conform.records, wantsColour(STDOUT_FILENO)));
+  if (const std::string ledger = ledgerTable(report.ledger); !ledger.empty()) {
+    fmt::print("\nhow far the devices lie apart, in ulps of each buffer\n{}", ledger);
+  }
   printSkips(conform.manifest);
   printFailures(report);
   for (const std::string& note : conform.notes) {

@@ -6,6 +6,7 @@
 
 #include "conform/json_fields.h"
 #include "report/json_parts.h"
+#include "report/ledger_json.h"
 
 namespace ssrkit {
 
@@ -96,10 +97,15 @@ std::string toJson(const CellRecord& record) {
   for (const CheckResult& check : record.checks) {
     checks.push_back(checkJson(check));
   }
-  const Json json = {
-      {"schema", kSchema},           {"schema_version", kVersion},         {"id", record.id},
-      {"inputs", record.inputs},     {"outcome", name(outcomeOf(record))}, {"time_s", record.time_s},
-      {"attempts", record.attempts}, {"checks", std::move(checks)}};
+  const Json json = {{"schema", kSchema},
+                     {"schema_version", kVersion},
+                     {"id", record.id},
+                     {"inputs", record.inputs},
+                     {"outcome", name(outcomeOf(record))},
+                     {"time_s", record.time_s},
+                     {"attempts", record.attempts},
+                     {"checks", std::move(checks)},
+                     {"ledger", ledgerJson(record.ledger)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -113,6 +119,11 @@ Expected<CellRecord> readCellRecord(std::string_view json, const std::string& fi
     for (const JsonFields& check : fields.objects("checks")) {
       record.checks.push_back(checkOf(check));
     }
+    auto ledger = ledgerFromJson(fields.json("ledger"), "ledger");
+    if (!ledger) {
+      throw JsonFields::BadField(ledger.error().problem);
+    }
+    record.ledger = std::move(*ledger);
     return record;
   });
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "check/check_result.h"
+#include "check/ledger.h"
 
 namespace ssrkit {
 
@@ -17,6 +18,7 @@ struct CellRecord {
   double time_s = 0.0;  // of the worker, over all attempts
   int attempts = 1;     // runs of the cell: more than 1 after a failure or with --repeat
   std::vector<CheckResult> checks;
+  Ledger ledger;  // of the pairs of devices whose second is the cell's
 };
 
 // The gravest outcome of the cell's checks: crash and timeout before fail, failures before doubts, doubts

@@ -36,6 +36,7 @@ class JsonFields {
   [[nodiscard]] Outcome outcome(const char* key) const;
   [[nodiscard]] JsonFields object(const char* key) const;
   [[nodiscard]] std::vector<JsonFields> objects(const char* key) const;
+  [[nodiscard]] const Json& json(const char* key) const { return at(key); }  // whatever it is
 
  private:
   [[nodiscard]] const Json& at(const char* key) const;

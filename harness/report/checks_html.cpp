@@ -200,7 +200,8 @@ Expected<std::string> checksHtml(const RunReport& report) {
   page +=
       "<h2>Checks by device</h2>\n<p class=\"quiet\">Checks made, or how many of them failed; the colour is "
       "the "
-      "worst outcome. Choose a cell to see its checks.</p>\n<div class=\"scroll\"><table class=\"matrix\" "
+      "worst outcome, and what fails stands first. Choose a cell to see its checks.</p>\n<div "
+      "class=\"scroll\"><table class=\"matrix\" "
       "id=\"matrix\"></table></div>\n";
   page += kFilters;
   page += ledgerOf(report);

@@ -54,7 +54,7 @@ function optionsFor(select, values) {
 }
 
 function uniqueOf(column) {
-  return [...new Set(data.rows.map(row => row[at[column]]))].map(i => data.strings[i]).sort();
+  return [...new Set(data.rows.map(row => row[at[column]]))].map(i => data.strings[i]).sort((a, b) => a.localeCompare(b, 'en', {numeric: true}));
 }
 
 function matches(row) {
@@ -84,7 +84,8 @@ function details(row) {
     cell.append(image);
   }
   cell.append(element('pre', '', text(row, 'message') || 'no message'));
-  if (text(row, 'repro')) cell.append(element('pre', '', text(row, 'repro')));
+  const repro = text(row, 'repro');
+  if (repro && !text(row, 'message').includes(repro)) cell.append(element('pre', '', repro));
   line.append(cell);
   return line;
 }
@@ -147,7 +148,8 @@ function drawMatrix(ids, devices) {
   const head = element('tr');
   head.append(element('th', '', 'check'), ...devices.map(device => element('th', '', device || '(none)')));
   by('matrix').append(head);
-  for (const id of ids) {
+  const broken = new Set(data.rows.filter(row => failing.has(text(row, 'outcome'))).map(row => text(row, 'id')));
+  for (const id of [...ids.filter(id => broken.has(id)), ...ids.filter(id => !broken.has(id))]) {
     const line = element('tr');
     line.append(element('td', '', id));
     for (const device of devices) {

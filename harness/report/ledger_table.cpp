@@ -56,6 +56,18 @@ std::map<std::string, TwinCount> twinsOf(const Ledger& ledger) {
   return twins;
 }
 
+std::string lineOf(const std::vector<std::string>& row) {
+  constexpr std::array<std::size_t, 9> kWidths = {29, 22, 6, 6, 5, 5, 7, 7, 5};
+  std::string line;
+  for (std::size_t column = 0; column < kWidths.size(); ++column) {
+    const std::string cell = cellText(row[column], kWidths.at(column));
+    const std::string blanks(kWidths.at(column) - std::min(columnsOf(cell), kWidths.at(column)), ' ');
+    line.append(column == 0 ? 0 : 1, ' ');
+    line += column < kFirstNumber ? cell + blanks : blanks + cell;
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
 }  // namespace
 
 std::vector<std::string> ledgerHeadings() {
@@ -70,20 +82,21 @@ std::vector<std::vector<std::string>> ledgerRows(const Ledger& ledger) {
   return rows;
 }
 
+Ledger overStages(const Ledger& ledger) {
+  Ledger sums;
+  for (const auto& [key, entry] : ledger) {
+    LedgerKey of_all = key;
+    of_all.stage.clear();
+    sums[of_all] += entry;
+  }
+  return sums;
+}
+
 std::string ledgerTable(const Ledger& ledger) {
-  if (ledger.empty()) {
-    return {};
-  }
-  const std::map<std::string, TwinCount> twins = twinsOf(ledger);
-  std::vector<std::vector<std::string>> rows = {ledgerHeadings()};
-  for (std::vector<std::string>& row : ledgerRows(ledger)) {
-    if (!twins.at(row.front()).all_identical) {
-      rows.push_back(std::move(row));
-    }
-  }
-  constexpr std::array<std::size_t, 9> kWidths = {29, 22, 6, 6, 5, 5, 7, 7, 5};
+  constexpr std::size_t kMostRows = 40;
+  const Ledger sums = overStages(ledger);
   std::string text;
-  for (const auto& [pair, twin] : twins) {
+  for (const auto& [pair, twin] : twinsOf(sums)) {
     if (twin.all_identical) {
       text += cellText(fmt::format("{}: {} buffers are bit-identical ({} texels)", pair, twin.buffers,
                                    countText(twin.texels)),
@@ -91,15 +104,18 @@ std::string ledgerTable(const Ledger& ledger) {
               "\n";
     }
   }
-  for (std::size_t i = 0; i < rows.size() && rows.size() > 1; ++i) {
-    std::string line;
-    for (std::size_t column = 0; column < kWidths.size(); ++column) {
-      const std::string cell = cellText(rows[i][column], kWidths.at(column));
-      const std::string blanks(kWidths.at(column) - std::min(columnsOf(cell), kWidths.at(column)), ' ');
-      line.append(column == 0 ? 0 : 1, ' ');
-      line += column < kFirstNumber ? cell + blanks : blanks + cell;
+  std::size_t row_count = 0;
+  for (const auto& [key, entry] : sums) {
+    if (entry.identical == entry.compared) {
+      continue;
     }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    if (row_count == 0) {
+      text += lineOf(ledgerHeadings());
+    }
+    text += ++row_count <= kMostRows ? lineOf(rowOf(key, entry)) : "";
+  }
+  if (row_count > kMostRows) {
+    text += fmt::format("... and {} rows more, in report.html\n", row_count - kMostRows);
   }
   return text;
 }

@@ -12,8 +12,12 @@ namespace ssrkit {
 [[nodiscard]] std::vector<std::string> ledgerHeadings();
 [[nodiscard]] std::vector<std::vector<std::string>> ledgerRows(const Ledger& ledger);
 
-// At most 100 columns, ends with a line feed; empty without entries. Pairs whose buffers are all identical
-// take one line, so that what differs stands out.
+// The same with the stages of a buffer added up.
+[[nodiscard]] Ledger overStages(const Ledger& ledger);
+
+// For the terminal, over all stages: a line for each pair of devices whose buffers are all identical, and for
+// the other pairs a line for each buffer that differs, the first 40 of them. At most 100 columns, ends with a
+// line feed; empty without entries.
 [[nodiscard]] std::string ledgerTable(const Ledger& ledger);
 
 }  // namespace ssrkit

@@ -106,7 +106,13 @@ class Running(ConformTest):
         crossed = [check for check in results["checks"] if check["id"] == "trace.bits.identical"]
         self.assertEqual({"vk-lavapipe"}, {check["device"] for check in crossed})
         self.assertEqual(sum(cell["checks"] for cell in results["cells"]), len(results["checks"]))
-        self.assertIn("cells/" + CELL + "/gl-osmesa.json", self.assert_whole_files(self.path("out")))
+        names = self.assert_whole_files(self.path("out"))
+        for name in ("cells/" + CELL + "/gl-osmesa.json", "junit.xml", "checks.csv", "report.html"):
+            self.assertIn(name, names)
+        rays = [entry for entry in results["ledger"] if entry["buffer"] == "hit" and entry["input"]]
+        self.assertEqual({("gl-osmesa", "vk-lavapipe")}, {(entry["device"], entry["other"]) for entry in rays})
+        for entry in rays:
+            self.assertEqual((0, entry["compared"]), (entry["flips"], entry["identical"]))
 
     def test_the_reference_is_drawn_for_a_device_by_itself(self):
         result = self.conform("--device", "vk-lavapipe", "--filter", CELL, "--json")
@@ -205,6 +211,54 @@ class Faults(ConformTest):
         self.assert_exit(0, self.few(filters=["trace.bits/m4/33x17"], env={"SSRKIT_FAULT": fault}, out="alone"))
 
 
+class KnownFailures(ConformTest):
+    FAULT = {"SSRKIT_FAULT": "wrong:vk-lavapipe trace.bits m2 33x17"}
+
+    def known(self, expires="2999-12-31"):
+        """A baseline that lists exactly what the fault makes wrong."""
+        self.assert_exit(1, self.few(env=self.FAULT))
+        failed = [check for check in self.results()["checks"] if check["outcome"] == "fail"]
+        self.assertTrue(failed)
+        text = ""
+        for check in failed:
+            text += "[[expected_failure]]\n"
+            text += "".join(f'{key} = "{check[key]}"\n' for key in ("id", "device", "scene", "stage", "case")
+                            if check[key])
+            text += (f'driver = "llvmpipe"\noutcome = ["fail"]\nreason = "made wrong on purpose"\n'
+                     f'expires = "{expires}"\nbug = "docs/driver-bugs.md#none"\n')
+        return self.write("known.toml", text)
+
+    def test_are_excused_with_their_reason(self):
+        known = self.known()
+        result = self.few("--baseline", known, env=self.FAULT)
+        self.assert_exit(0, result)
+        self.assertEqual(self.cells("pass", "xfail", "pass", "pass"), self.outcomes())
+        excused = [check for check in self.results()["checks"] if check["outcome"] == "xfail"]
+        for check in excused:
+            self.assertIn("made wrong on purpose", check["message"])
+        merged = self.ssrkit("conform", "merge", "out", "--baseline", known, "--out", "merged")
+        self.assert_exit(0, merged)
+        self.assertEqual(self.outcomes(), self.outcomes("merged"))
+
+    def test_fail_when_they_pass(self):
+        result = self.few("--baseline", self.known())
+        self.assert_exit(1, result)
+        self.assertEqual(self.cells("pass", "xpass", "pass", "pass"), self.outcomes())
+        self.assertIn("take the entry out", result.out)
+
+    def test_expire(self):
+        result = self.few("--baseline", self.known(expires="2020-01-01"), env=self.FAULT)
+        self.assert_exit(1, result)
+        self.assertEqual(self.cells("pass", "fail", "pass", "pass") | {"known-failures": "error"}, self.outcomes())
+        self.assertIn("has expired on 2020-01-01", result.out)
+
+    def test_a_bad_file_is_refused_before_anything_runs(self):
+        known = self.write("bad.toml", '[[expected_failure]]\nid = "x"\ndevice = "gl-osmesaa"\n')
+        self.assert_refused(self.few("--baseline", known), "bad.toml:3:", "did you mean 'gl-osmesa'?")
+        self.assert_refused(self.few("--baseline", "nowhere.toml"), "nowhere.toml")
+        self.assertFalse(os.path.exists(self.path("out")))
+
+
 class Resuming(ConformTest):
     def test_only_what_is_missing_or_changed_is_run(self):
         self.assert_exit(0, self.few())
@@ -295,6 +349,8 @@ class Merging(ConformTest):
         self.assertEqual(whole.out.splitlines()[-1], merged.out.splitlines()[-1])
         self.assertEqual(self.results("whole")["checks"], self.results("merged")["checks"])
         self.assertEqual(self.outcomes("whole"), self.outcomes("merged"))
+        self.assertTrue(self.results("whole")["ledger"])
+        self.assertEqual(self.results("whole")["ledger"], self.results("merged")["ledger"])
         table = [line for line in whole.out.splitlines() if "written to" not in line]
         self.assertEqual(table, [line for line in merged.out.splitlines() if "written to" not in line])
         self.assert_whole_files(self.path("merged"))

@@ -46,6 +46,22 @@ TEST(CellRecord, SurvivesItsJsonWithEveryBit) {
   EXPECT_EQ("t_0.3m", check.case_name);
 }
 
+TEST(CellRecord, KeepsItsLedger) {
+  LedgerEntry entry;
+  entry.compared = 100;
+  entry.identical = 60;
+  entry.flips = 1;
+  entry.ulps[0] = 60;
+  entry.ulps[ulpBin(7)] = 39;
+  entry.max_ulps = 7;
+  entry.max_relative = 1.0 / 3.0;
+  CellRecord record = madeRecord("t/m1/64x36/gl-a", Outcome::kPass);
+  record.ledger[{.device = "gl-b", .other = "gl-a", .input = "gl-b", .stage = "", .buffer = "hit"}] = entry;
+  const auto read = readCellRecord(toJson(record), "file");
+  ASSERT_TRUE(read.has_value()) << sentence(read.error());
+  EXPECT_EQ(record.ledger, read->ledger);
+}
+
 TEST(CellRecord, ANotANumberStaysOne) {
   CellRecord record = madeRecord("t/m1/64x36/gl-a", Outcome::kFail);
   record.checks[0].value = std::numeric_limits<double>::quiet_NaN();
