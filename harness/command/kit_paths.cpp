@@ -15,6 +15,9 @@ KitPaths kitPaths() {
           .conformance = root / "tests" / "conform",
           .claims = root / "tests" / "claims",
           .goldens = root / "tests" / "goldens",
+          .mutants = root / "tests" / "mutants",
+          .wheats = root / "tests" / "wheats",
+          .battery = root / "tests" / "mutants" / "battery",
           .build = SSRKIT_BUILD_DIR};
 }
 

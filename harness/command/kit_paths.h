@@ -14,6 +14,9 @@ struct KitPaths {
   std::filesystem::path conformance;     // the conformance matrix, files as in `expectations`
   std::filesystem::path claims;
   std::filesystem::path goldens;
+  std::filesystem::path mutants;
+  std::filesystem::path wheats;
+  std::filesystem::path battery;  // what mutants are held against
   std::filesystem::path build;  // where the unit tests are
 };
 

@@ -17,6 +17,7 @@
 #include "command/devices.h"
 #include "command/interrupt.h"
 #include "command/kit_paths.h"
+#include "command/mutate.h"
 #include "command/run.h"
 #include "command/test.h"
 #include "frame/stages.h"
@@ -117,6 +118,20 @@ void addBless(CLI::App& app, BlessOptions& options, Command& command) {
   bless->callback([&] { command = [&] { return blessCommand(options); }; });
 }
 
+void addMutate(CLI::App& app, MutateOptions& options, Command& command) {
+  CLI::App* mutate =
+      app.add_subcommand("mutate", "Make known mistakes, one at a time, and see whether the checks notice");
+  mutate->add_option("--filter", options.filter, "Mutants and wheats to run, * stands for any text")
+      ->capture_default_str();
+  mutate->add_option("--out", options.out, "The folder for mutate.json, kill_matrix.csv and report.html")
+      ->capture_default_str();
+  mutate->add_flag("--first-kill", options.first_kill,
+                   "Go on with the next mutant once one check has noticed");
+  mutate->add_flag("--list", options.list, "Print the names instead of running");
+  mutate->add_flag("--json", options.json, "Print mutate.json instead of the text");
+  mutate->callback([&] { command = [&] { return mutateCommand(options); }; });
+}
+
 void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command) {
   CLI::App* compile =
       app.add_subcommand("compile", "Show what the compiler says about one shader, for both APIs");
@@ -185,6 +200,7 @@ int commandLine(int argc, char** argv) {
   CompareOptions compare;
   ConformOptions conform;
   ConformMergeOptions conform_merge;
+  MutateOptions mutate;
   CompileCommandOptions compile;
   BlessOptions bless;
   DevicesOptions devices;
@@ -194,12 +210,14 @@ int commandLine(int argc, char** argv) {
   compare.command = run.command;
   conform.command = run.command;
   conform_merge.command = run.command;
+  mutate.command = run.command;
   Command command;
   addRun(app, run, command);
   addTest(app, test, command);
   addCompare(app, compare, command);
   addConform(app, conform, conform_merge, command);
   addDevices(app, devices, command);
+  addMutate(app, mutate, command);
   addCompile(app, compile, command);
   addBless(app, bless, command);
   try {

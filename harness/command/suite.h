@@ -82,6 +82,9 @@ class Suite {
     command_of_ = std::move(command_of);
   }
 
+  // Jobs from here on are compiled from these shaders; the workers stay.
+  void setShaderRoot(std::filesystem::path root) { options_.shader_root = std::move(root); }
+
   // A built-in scene by name, or any file, with the parameters of the TOML beside it.
   [[nodiscard]] static Expected<SceneSource> source(const std::string& name_or_path,
                                                     const std::filesystem::path& scenes_root);

@@ -16,7 +16,8 @@ MAY_INCLUDE["frame"] = {"base", "spaces", "image", "shader", "scene", "environme
 MAY_INCLUDE["oracle"] = {"base", "spaces", "image", "scene"}  # written apart from shaders, devices and frames
 MAY_INCLUDE["worker"] = MAY_INCLUDE["frame"] | {"frame"}
 MAY_INCLUDE["check"] = {"base", "spaces", "image", "scene", "oracle"}
-MAY_INCLUDE["report"] = MAY_INCLUDE["worker"] | {"check", "oracle", "worker"}
+MAY_INCLUDE["mutation"] = {"base", "check"}
+MAY_INCLUDE["report"] = MAY_INCLUDE["worker"] | {"check", "mutation", "oracle", "worker"}
 MAY_INCLUDE["conform"] = (MAY_INCLUDE["report"] | {"report"}) - {"worker"}  # plans and books; it runs nothing itself
 MAY_INCLUDE["command"] = set(MAY_INCLUDE) - {"command"}
 

@@ -1,4 +1,4 @@
-"""Every mutant of tests/mutants is described, differs from the shader it stands for, and is run by the test that kills it."""
+"""Every mutant of tests/mutants is described, fits the file that it changes, and names a check that there is."""
 
 import pathlib
 import re
@@ -7,6 +7,13 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MUTANTS = ROOT / "tests" / "mutants"
+WHEATS = ROOT / "tests" / "wheats"
+EDIT = {"about", "file", "replace"}  # and "with", unless something is only taken away
+INCLUDE = re.compile(r'^#include "([\w.]+)"', re.MULTILINE)
+
+
+def read(folder):
+    return {path.stem: tomllib.loads(path.read_text()) for path in sorted(folder.glob("*.toml"))}
 
 
 def unit_tests():
@@ -19,29 +26,76 @@ def unit_tests():
     return found
 
 
+def battery_checks():
+    checks = set()
+    for test in read(MUTANTS / "battery").values():
+        for expectation in test["expect"]:
+            checks.add(f"{test['test']['id']}.{expectation.get('name', expectation['metric'])}")
+    return checks
+
+
+def made_of(entry):
+    """An entry file with everything that it includes."""
+    files, waiting = set(), [entry]
+    while waiting:
+        path = waiting.pop()
+        if path not in files:
+            files.add(path)
+            waiting += [ROOT / "shaders" / "include" / name for name in INCLUDE.findall(path.read_text())]
+    return files
+
+
+def changed_file(mutant):
+    return ROOT / (mutant["file"] if "file" in mutant else f"shaders/{mutant['pass']}.frag")
+
+
 class Mutants(unittest.TestCase):
-    def test_shaders_and_descriptions_come_in_pairs(self):
-        shaders = {path.stem for path in MUTANTS.glob("*.frag")}
-        self.assertGreater(len(shaders), 10)
-        self.assertEqual(shaders, {path.stem for path in MUTANTS.glob("*.toml")})
-        self.assertEqual({".frag", ".toml"}, {path.suffix for path in MUTANTS.iterdir()})
+    def setUp(self):
+        self.mutants = read(MUTANTS)
+        self.wheats = read(WHEATS)
 
-    def test_each_differs_from_the_shader_of_its_pass(self):
-        for path in MUTANTS.glob("*.toml"):
-            with self.subTest(path.stem):
-                about = tomllib.loads(path.read_text())
-                self.assertEqual({"pass", "about", "killed_by"}, set(about))
-                kit = ROOT / "shaders" / f"{about['pass']}.frag"
-                self.assertTrue(kit.is_file(), f"no pass has the shader {kit.name}")
-                self.assertNotEqual(kit.read_text(), path.with_suffix(".frag").read_text())
+    def test_there_are_enough(self):
+        self.assertGreaterEqual(len(self.mutants), 60)
+        self.assertGreaterEqual(len(self.wheats), 12)
 
-    def test_each_is_run_by_the_test_that_kills_it(self):
-        tests = unit_tests()
-        for path in MUTANTS.glob("*.toml"):
-            with self.subTest(path.stem):
-                killer = tomllib.loads(path.read_text())["killed_by"]
-                self.assertIn(killer, tests)
-                self.assertIn(f'"{path.stem}"', tests[killer])
+    def test_each_says_what_it_is(self):
+        for name, mutant in self.mutants.items():
+            with self.subTest(name):
+                form = {"about", "pass"} if "pass" in mutant else EDIT
+                self.assertEqual(form | {"signature", "killed_by"}, set(mutant) - {"with"})
+        for name, wheat in self.wheats.items():
+            with self.subTest(name):
+                self.assertEqual(EDIT, set(wheat) - {"with"})
+
+    def test_whole_shaders_and_their_descriptions_come_in_pairs(self):
+        whole = {name for name, mutant in self.mutants.items() if "pass" in mutant}
+        self.assertEqual({path.stem for path in MUTANTS.glob("*.frag")}, whole)
+        for name in whole:
+            with self.subTest(name):
+                self.assertNotEqual(changed_file(self.mutants[name]).read_text(), (MUTANTS / f"{name}.frag").read_text())
+
+    def test_each_edit_fits_its_file_once(self):
+        for name, mutant in (self.mutants | self.wheats).items():
+            with self.subTest(name):
+                if "pass" not in mutant:
+                    self.assertEqual(1, changed_file(mutant).read_text().count(mutant["replace"]))
+                    self.assertNotEqual(mutant["replace"], mutant.get("with", ""))
+
+    def test_the_checks_that_are_to_kill_them_exist(self):
+        tests, battery = unit_tests(), battery_checks()
+        for name, mutant in self.mutants.items():
+            with self.subTest(name):
+                killer = mutant["killed_by"]
+                self.assertTrue(killer in tests or killer in battery, killer)
+                if "pass" in mutant:  # its own unit test draws it
+                    self.assertIn(f'"{name}"', tests[killer])
+
+    def test_every_pass_is_changed_by_one(self):
+        changed = {changed_file(mutant) for mutant in self.mutants.values()}
+        entries = [*(ROOT / "shaders").glob("*.frag"), *(ROOT / "shaders").glob("*.vert")]
+        for entry in sorted(path for path in entries if "void main() {}" not in path.read_text()):
+            with self.subTest(entry.name):
+                self.assertTrue(made_of(entry) & changed)
 
 
 if __name__ == "__main__":

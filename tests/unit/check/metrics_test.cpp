@@ -128,6 +128,8 @@ TEST(HitPosition, TheLargestOrAPercentileOfTheDistance) {
   EXPECT_EQ(outcomeName(bench.check(bound("max = 0.25"))), "pass");
   EXPECT_EQ(outcomeName(bench.check(bound("max = 0.2499"))), "fail");
   EXPECT_EQ(outcomeName(bench.check(bound("max = 0.0\npercentile = 98.0"))), "pass");  // 63 of 64 are exact
+  EXPECT_EQ(outcomeName(bench.check(bound("max = 0.0\npercentile = 99.0"))),
+            "fail");  // the 64th: ranks are rounded up
   bench.ray(4).px_y = kNaN;
   EXPECT_EQ(outcomeName(bench.check(bound("max = 1e9"))), "fail");
 }
@@ -218,6 +220,39 @@ TEST(RelativeError, IsOfTheTruthAndNeverForgivesNaN) {
   EXPECT_EQ(outcomeName(bench.check(relative)), "pass");
   yours.at(1, 1) = kNaN;
   EXPECT_EQ(outcomeName(bench.check(relative)), "fail");
+}
+
+TEST(RelativeError, ThePercentileIsOfAllPixels) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
+  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  const Expectation half = expectation(
+      "metric = \"relative_error\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\npercentile = "
+      "50.0\nmax = 0.0");
+  yours.at(1, 1) = 5.0F;
+  yours.at(2, 1) = 5.0F;
+  EXPECT_EQ(outcomeName(bench.check(half)), "pass");  // 62 of 64 are right
+}
+
+TEST(RelativeError, IsAShareOfTheTruthNotOfTheAnswer) {
+  Bench bench;
+  bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 8.0F);
+  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  const Expectation one = expectation(
+      "metric = \"relative_error\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\nmax = 0.99");
+  EXPECT_EQ(outcomeName(bench.check(one)), "fail");  // 8 is twice 4
+}
+
+TEST(RelativeError, TheWorstChannelCounts) {
+  Bench bench;
+  Image yours(kSize, {"R", "G", "B"});
+  Image truth = yours;
+  yours.at(3, 3, 2) = 1.0F;
+  bench.add("", shiftedRecord(kSize), "vk-lavapipe").images["lit"] = &yours;
+  bench.add("", shiftedRecord(kSize), "gl-osmesa").images["lit"] = &truth;
+  const Expectation absolute =
+      expectation("metric = \"absolute_error\"\nbuffer = \"lit\"\ntruth = \"cross:gl-osmesa\"\nmax = 0.5");
+  EXPECT_EQ(outcomeName(bench.check(absolute)), "fail");
 }
 
 TEST(MaskFlips, AreCountedPerMillionPixels) {

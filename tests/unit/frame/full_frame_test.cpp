@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "../kit_shaders.h"
 #include "frame/frames.h"
 #include "frame/run_job.h"
 #include "frame/technique_in_frame.h"
@@ -21,7 +22,7 @@ Job furnace() {
   job.id = "furnace";
   job.size = kFloorSize;
   job.frame = "full";
-  job.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders";
+  job.shader_root = kitShaders();
   job.environment = EnvironmentChoice{.file = {}, .constant = glm::vec3(kFurnace)};
   job.gbuffer_camera = floorCamera();
   job.gbuffer = floorGbuffer([](int x) { return x < 20 ? 0.0 : x < 40 ? 0.3125 : 0.75; });

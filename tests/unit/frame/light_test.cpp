@@ -150,6 +150,24 @@ TEST_P(LightTest, BackgroundIsTheEnvironment) {
   EXPECT_EQ(difference(images[0], images[1], 0.0), "");
 }
 
+// The root of the elevation's sine, and below the horizon its ground: written out once more.
+TEST_P(LightTest, TheSkyRisesFromTheHorizonToTheZenith) {
+  const glm::dvec3 horizon(0.5, 0.6, 0.7);
+  const glm::dvec3 zenith(0.1, 0.2, 0.9);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.2, 0.9, 0.1));
+  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height), LitSurface{.dist_view = kInfinity});
+  giveSurfaces(surfaces, manyLights());
+  values_.set("up_view", up);
+  values_.set("sky_horizon", horizon);
+  values_.set("sky_zenith", zenith);
+  const auto sky = [&](int x, int y) {
+    const double elevation = glm::dot(glm::normalize(rayOf(x, y)), up);
+    const glm::dvec3 above = glm::mix(horizon, zenith, std::sqrt(std::max(elevation, 0.0)));
+    return glm::mix(above, 0.35 * horizon, std::clamp(-4.0 * elevation, 0.0, 1.0));
+  };
+  EXPECT_EQ(compared(draw("light.frag", kLitSize), sky, 1e-3), "");
+}
+
 TEST_P(LightTest, BlinnPhongIsTheScalarSumAtEveryTexel) {
   const std::vector<LitSurface> surfaces = manySurfaces();
   const glm::dvec3 horizon(0.5, 0.6, 0.7);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../kit_shaders.h"
+
 namespace ssrkit {
 
 namespace {
@@ -14,7 +16,7 @@ Job emptyJob(Size size) {
   Job job;
   job.id = "made by formula";
   job.size = size;
-  job.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders";
+  job.shader_root = kitShaders();
   job.gbuffer_camera =
       Camera{.size = size,
              .clip_from_view =

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "../kit_shaders.h"
 #include "device/format.h"
 
 namespace ssrkit {
@@ -89,7 +90,7 @@ const Program* PassTest::program(const PassRow& row) {
   if (programs_ == nullptr) {
     programs_ = std::make_unique<Programs>(*device_, target_);
   }
-  const auto made = programs_->get(row, {.shader_root = kSource + "/shaders"});
+  const auto made = programs_->get(row, {.shader_root = kitShaders()});
   EXPECT_TRUE(made.has_value()) << sentence(made.error());
   return made ? *made : nullptr;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "../kit_shaders.h"
 #include "frame/image_transfer.h"
 #include "frame_device.h"
 
@@ -54,7 +55,7 @@ class PyramidTest : public FrameDeviceTest {
   void check(Size size, int max_mip, PyramidLayout layout) {
     const Image dist_view = randomDepths(size);
     Programs programs(*device_, target_);
-    const CompileSettings settings{.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders"};
+    const CompileSettings settings{.shader_root = kitShaders()};
     const auto base = programs.get(pyramidBasePass(), settings);
     const auto reduce = programs.get(pyramidReducePass(), settings);
     ASSERT_TRUE(base.has_value() && reduce.has_value());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../kit_shaders.h"
 #include "frame/gbuffer_source.h"
 #include "frame/stages.h"
 #include "frame/tracing.h"
@@ -11,7 +12,7 @@ namespace ssrkit {
 
 void RoughFloorTest::SetUp() {
   PassTest::SetUp();
-  settings_.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders";
+  settings_.shader_root = kitShaders();
   programs_.emplace(*device_, target_);
   images_.emplace(*device_, kFloorSize);
   giveFloor(floorGbuffer([](int) { return kFloorRoughness; }));

@@ -209,6 +209,21 @@ TEST_P(RoughSamplingTest, AWhiteFurnaceGivesTheDirectionalAlbedo) {
   holdsAndKills(check, "accumulate_microfacet.frag", {"masking_left_out", "all_normals_weighed"});
 }
 
+// Of 16 samples 4 hit something of (0.5, 1, 2), or weights of 8 in all hit with 4 of them.
+TEST_P(RoughSamplingTest, AnAverageOfHitsIsTheirColourAndTheirShare) {
+  const Size size{2, 2};
+  const auto all = [&](std::array<double, 4> texel) {
+    return imageOf(size, [=](int, int) { return texel; });
+  };
+  give("reflected_sum", all({2.0, 4.0, 8.0, 4.0}));
+  values_.set("sample_count", 16);
+  EXPECT_EQ(difference(draw("average_hits.frag", size), all({0.5, 1.0, 2.0, 0.25}), 0.0), "");
+  give("weight_sum", all({8.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(difference(draw("average_arriving.frag", size), all({0.5, 1.0, 2.0, 0.5}), 0.0), "");
+  give("reflection", all({0.25, 0.5, 1.0, 0.5}));
+  EXPECT_EQ(difference(draw("unpremultiply.frag", size), all({0.5, 1.0, 2.0, 0.5}), 0.0), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, RoughSamplingTest, testing::Values("gl-osmesa", "vk-lavapipe"),
                          deviceTestName);
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <random>
 
+#include "../kit_shaders.h"
 #include "base/atomic_file.h"
 #include "frame/frames.h"
 #include "frame/techniques.h"
@@ -23,7 +24,7 @@ Job floorAndWall() {
   Job job;
   job.id = "m1 by formula";
   job.size = size;
-  job.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders";
+  job.shader_root = kitShaders();
   job.gbuffer_camera = Camera{.size = size,
                               .clip_from_view = perspective(2.0 * std::atan(0.5), 1.0, 0.1, 100.0),
                               .view_from_world = glm::dmat4(1.0),

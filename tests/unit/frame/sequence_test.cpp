@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
+#include "../kit_shaders.h"
 #include "frame/run_job.h"
 #include "frame_device.h"
 #include "spaces/camera.h"
@@ -22,7 +23,7 @@ Job jobOf(const std::string& scene, const Sequence& sequence) {
   job.id = scene;
   job.scene_file = kSource + "/scenes/" + scene + "/" + scene + ".gltf";
   job.size = kSize;
-  job.shader_root = kSource + "/shaders";
+  job.shader_root = kitShaders();
   job.sequence = sequence;
   return job;
 }

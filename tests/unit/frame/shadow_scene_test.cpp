@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "../kit_shaders.h"
 #include "frame/gbuffer_source.h"
 #include "frame/shadow_map.h"
 
@@ -48,7 +49,7 @@ void ShadowTest::giveScene(const Scene& scene, const Camera& camera) {
   if (scene_programs_ == nullptr) {
     scene_programs_ = std::make_unique<Programs>(*device_, target_);
   }
-  const CompileSettings settings{.shader_root = std::string(SSRKIT_SOURCE_DIR) + "/shaders"};
+  const CompileSettings settings{.shader_root = kitShaders()};
   const auto gbuffer = scene_programs_->get(gbufferPass(), settings);
   const auto map = shadowMapPrograms(*scene_programs_, settings);
   ASSERT_TRUE(gbuffer.has_value() && map.has_value());

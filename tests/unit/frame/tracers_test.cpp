@@ -244,6 +244,32 @@ TEST_P(TracersTest, TheWorldsMarchScattersWithTheDistanceFromTheWorldsOrigin) {
   EXPECT_GE(others(1e5), rays / 20);
 }
 
+// The fourth channel of normal_view is the cosine between the ray and the surface's own normal: a shading
+// normal may send a ray below the surface although it lies on its own side.
+TEST_P(TracersTest, ABentNormalSendsNoRayThroughItsSurface) {
+  Job job = floorAndWall(kBlocksSize, 4.0);
+  Image& normal = job.gbuffer.at("normal_view");
+  Image bent(normal.size, {"R", "G", "B", "A"});
+  for (int y = 0; y < normal.size.height; ++y) {
+    for (int x = 0; x < normal.size.width; ++x) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        bent.at(x, y, channel) = normal.at(x, y, channel);
+      }
+      bent.at(x, y, 3) = x % 2 == 0 ? 0.5F : -0.1F;
+    }
+  }
+  normal = bent;
+  for (const std::string stage : {"naive", "refined", "dda", "hiz", "walk"}) {
+    const RayRecord record = trace(job, stage, {}, "");
+    const int y = kBlocksSize.height - 1;  // of the floor
+    for (int x = 0; x < kBlocksSize.width; ++x) {
+      const RayHit& ray = record.at(x, y);
+      EXPECT_EQ(ray.ray_class == RayClass::kIntoSurface, x % 2 == 1) << stage << " " << name(ray.ray_class);
+      EXPECT_TRUE(x % 2 == 0 || ray.lookups == 0) << stage;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, TracersTest, testing::Values("gl-osmesa", "vk-lavapipe"), deviceTestName);
 
 }  // namespace

@@ -1,0 +1,233 @@
+#include "command/mutant_runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+#include "base/text.h"
+#include "command/mutant_build.h"
+
+namespace ssrkit {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kShaderDevice =
+    "gl_osmesa";  // the instance of unit tests that runs over mutants of shaders
+
+bool intersect(const std::set<std::string>& a, const std::set<std::string>& b) {
+  return std::ranges::any_of(a, [&](const std::string& element) { return b.contains(element); });
+}
+
+Expected<void> checkKiller(const Mutant& mutant, const MutationPlan& plan) {
+  if (mutant.is_wheat || plan.suite.contains(mutant.killed_by)) {
+    return {};
+  }
+  std::vector<std::string> known;
+  std::ranges::transform(plan.rooms, std::back_inserter(known), [](const auto& test) { return test.first; });
+  known.insert(known.end(), plan.suite.begin(), plan.suite.end());
+  const auto nearest = nearestName(mutant.killed_by, known);
+  return inputError(fmt::format("read the mutant '{}'", mutant.name),
+                    fmt::format("there is no check '{}'", mutant.killed_by), mutant.where,
+                    nearest ? fmt::format("did you mean '{}'?", *nearest)
+                            : "name a unit test, or a check of tests/mutants/battery");
+}
+
+}  // namespace
+
+Expected<MutationPlan> makePlan(const KitPaths& paths, const std::vector<Mutant>& mutants,
+                                const fs::path& scratch) {
+  MutationPlan plan{.paths = paths};
+  auto battery = loadBattery(paths);
+  auto uses = battery ? shaderUses(paths.shaders) : tl::make_unexpected(battery.error());
+  auto rooms = uses ? findUnitTests(paths.build, scratch) : tl::make_unexpected(uses.error());
+  if (!rooms) {
+    return tl::make_unexpected(rooms.error());
+  }
+  plan.battery = std::move(*battery);
+  plan.uses = std::move(*uses);
+  plan.rooms = std::move(*rooms);
+  for (const BatteryTest& test : plan.battery) {
+    const std::vector<std::string> checks = checksOf(test.file);
+    plan.suite.insert(checks.begin(), checks.end());
+  }
+  for (const Mutant& mutant : mutants) {
+    if (!plan.rooms.contains(mutant.killed_by)) {
+      continue;
+    }
+    plan.suite.insert(mutant.killed_by);
+    if (const auto used = plan.uses.find(mutant.edit.file); used != plan.uses.end()) {
+      plan.unit_entries[mutant.killed_by].insert(used->second.begin(), used->second.end());
+    }
+  }
+  for (const Mutant& mutant : mutants) {
+    if (const auto known = checkKiller(mutant, plan); !known) {
+      return tl::make_unexpected(known.error());
+    }
+  }
+  return plan;
+}
+
+MutantChecks checksFor(const Mutant& mutant, const MutationPlan& plan) {
+  MutantChecks checks;
+  if (isOfHarness(mutant)) {
+    const std::string room = roomOf(mutant);
+    for (const auto& [test, room_of_test] : plan.rooms) {
+      if (room_of_test == room) {
+        (plan.suite.contains(test) ? checks.unit : checks.last_resort)[room].insert(test);
+      }
+    }
+    return checks;
+  }
+  checks.instance = kShaderDevice;
+  const auto used = plan.uses.find(mutant.edit.file);
+  if (used == plan.uses.end()) {
+    return checks;
+  }
+  for (const auto& [test, entries] : plan.unit_entries) {
+    if (intersect(entries, used->second)) {
+      checks.unit[plan.rooms.at(test)].insert(test);
+    }
+  }
+  for (std::size_t i = 0; i < plan.battery.size(); ++i) {
+    if (intersect(plan.battery[i].entries, used->second)) {
+      checks.battery.insert(i);
+    }
+  }
+  return checks;
+}
+
+MutantRunner::MutantRunner(const MutationPlan& plan, fs::path scratch)
+    : plan_(plan), scratch_(std::move(scratch)) {}
+
+bool MutantRunner::isDone(const MutantRun& result) const {
+  return plan_.first_kill && !killersOf(result).empty();
+}
+
+void MutantRunner::note(const std::map<std::string, std::string>& said, MutantRun& result) const {
+  for (const auto& [check, complaint] : said) {
+    // Of a room's other tests only those that noticed something are worth a column.
+    if (!complaint.empty() || plan_.suite.contains(check)) {
+      result.noticed[check] = result.noticed[check] || !complaint.empty();
+    }
+    if (!complaint.empty()) {
+      result.said.emplace(check, complaint);
+    }
+  }
+}
+
+Expected<void> MutantRunner::runUnit(const TestsByRoom& tests_by_room, const std::string& instance,
+                                     const fs::path& shaders, const fs::path& program, MutantRun& result) {
+  for (const auto& [room, tests] : tests_by_room) {
+    UnitTestRun run{.program = program.empty() ? plan_.paths.build / "bin" / ("test_" + room) : program,
+                    .tests = {tests.begin(), tests.end()},
+                    .instance = instance,
+                    .environment = {},
+                    .scratch = scratch_};
+    if (!shaders.empty()) {
+      run.environment.emplace_back("SSRKIT_SHADERS", shaders.string());
+    }
+    const auto said = runUnitTests(run);
+    if (!said) {
+      return tl::make_unexpected(said.error());
+    }
+    note(*said, result);
+    if (isDone(result)) {
+      break;
+    }
+  }
+  return {};
+}
+
+Expected<void> MutantRunner::runBattery(const MutantChecks& checks, const fs::path& shaders,
+                                        const std::string& first, MutantRun& result) {
+  if (suite_ == nullptr) {
+    auto suite = batterySuite(plan_.battery, plan_.paths);
+    if (!suite) {
+      return tl::make_unexpected(suite.error());
+    }
+    suite_ = std::move(*suite);
+  }
+  std::vector<std::size_t> order(checks.battery.begin(), checks.battery.end());
+  std::ranges::stable_partition(
+      order, [&](std::size_t index) { return first.starts_with(plan_.battery[index].file.id + "."); });
+  for (const std::size_t index : order) {
+    note(runBatteryTest(*suite_, plan_.battery[index], shaders), result);
+    if (isDone(result)) {
+      break;
+    }
+  }
+  return {};
+}
+
+Expected<void> MutantRunner::hold(const Mutant& mutant, MutantRun& result) {
+  const fs::path folder = scratch_ / mutant.name;
+  const MutantChecks checks = checksFor(mutant, plan_);
+  Expected<void> done;
+  if (isOfHarness(mutant)) {
+    const auto program = buildMutant(mutant, plan_.paths, folder);
+    done = program ? runUnit(checks.unit, checks.instance, {}, *program, result)
+                   : tl::make_unexpected(program.error());
+    if (done && killersOf(result).empty()) {
+      done = runUnit(checks.last_resort, checks.instance, {}, *program, result);
+    }
+  } else {
+    const auto shaders = makeMutantShaders(mutant, plan_.paths, plan_.uses, folder);
+    done = shaders ? Expected<void>{} : tl::make_unexpected(shaders.error());
+    // What is to notice it goes first: with first_kill nothing else has to.
+    const bool unit_first = isUnitTest(mutant.killed_by);
+    for (const bool unit : {unit_first, !unit_first}) {
+      if (done && !isDone(result)) {
+        done = unit ? runUnit(checks.unit, checks.instance, *shaders, {}, result)
+                    : runBattery(checks, *shaders, mutant.killed_by, result);
+      }
+    }
+  }
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  return done;
+}
+
+MutantRun MutantRunner::run(const Mutant& mutant) {
+  MutantRun result{.mutant = mutant};
+  const auto start = std::chrono::steady_clock::now();
+  std::error_code failed;
+  fs::create_directories(scratch_ / mutant.name, failed);
+  if (const auto done = hold(mutant, result); !done) {
+    result.problem = sentence(done.error());
+  }
+  result.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+MutantRun MutantRunner::runKit(const std::vector<Mutant>& mutants) {
+  MutantRun result{.mutant = {.name = "the kit itself",
+                              .is_wheat = true,
+                              .about = "Nothing is changed: what fails here tells nothing of mutants."}};
+  const auto start = std::chrono::steady_clock::now();
+  MutantChecks of_shaders{.instance = kShaderDevice};
+  MutantChecks of_harness;
+  for (const Mutant& mutant : mutants) {
+    const MutantChecks checks = checksFor(mutant, plan_);
+    MutantChecks& all = isOfHarness(mutant) ? of_harness : of_shaders;
+    all.battery.insert(checks.battery.begin(), checks.battery.end());
+    for (const TestsByRoom* tests_by_room : {&checks.unit, &checks.last_resort}) {
+      for (const auto& [room, tests] : *tests_by_room) {
+        all.unit[room].insert(tests.begin(), tests.end());
+      }
+    }
+  }
+  auto done = runUnit(of_shaders.unit, of_shaders.instance, plan_.paths.shaders, {}, result);
+  done = done ? runUnit(of_harness.unit, of_harness.instance, {}, {}, result) : done;
+  done = done && !of_shaders.battery.empty() ? runBattery(of_shaders, plan_.paths.shaders, "", result) : done;
+  if (!done) {
+    result.problem = sentence(done.error());
+  }
+  result.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace ssrkit

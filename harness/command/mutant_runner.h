@@ -1,0 +1,73 @@
+// Holds mutants and wheats against the checks that look at what they change.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "command/gtest_runs.h"
+#include "command/mutant_battery.h"
+#include "command/mutant_shaders.h"
+#include "mutation/kill_matrix.h"
+
+namespace ssrkit {
+
+// What all runners share, read once.
+struct MutationPlan {
+  KitPaths paths;
+  std::vector<BatteryTest> battery;
+  ShaderUses uses;
+  UnitTestRooms rooms;
+  // The unit tests that a shader's mutants name, with the entry files that these mutants concern: they are
+  // run over every mutant of one of these files.
+  std::map<std::string, std::set<std::string>> unit_entries;
+  std::set<std::string> suite;  // every check of the battery, and every unit test that a mutant names
+  bool first_kill = false;      // go on with the next mutant once one check has noticed
+};
+
+[[nodiscard]] Expected<MutationPlan> makePlan(const KitPaths& paths, const std::vector<Mutant>& mutants,
+                                              const std::filesystem::path& scratch);
+
+using TestsByRoom = std::map<std::string, std::set<std::string>>;
+
+// The checks that look at what a mutant changes.
+struct MutantChecks {
+  std::set<std::size_t> battery;  // tests, by index
+  TestsByRoom unit;
+  TestsByRoom last_resort;  // of the harness: the room's other tests, run where those above noticed nothing
+  std::string instance;     // of the unit tests
+};
+
+[[nodiscard]] MutantChecks checksFor(const Mutant& mutant, const MutationPlan& plan);
+
+// One after the other, with workers of its own that live on from one mutant to the next.
+class MutantRunner {
+ public:
+  // `scratch` is a folder of this runner's own.
+  MutantRunner(const MutationPlan& plan, std::filesystem::path scratch);
+
+  [[nodiscard]] MutantRun run(const Mutant& mutant);
+
+  // The kit itself under the checks of all these mutants, as a wheat: it must pass every one of them.
+  [[nodiscard]] MutantRun runKit(const std::vector<Mutant>& mutants);
+
+ private:
+  Expected<void> hold(const Mutant& mutant, MutantRun& result);
+  Expected<void> runUnit(const TestsByRoom& tests_by_room, const std::string& instance,
+                         const std::filesystem::path& shaders, const std::filesystem::path& program,
+                         MutantRun& result);
+  // The test that makes the check `first` goes first.
+  Expected<void> runBattery(const MutantChecks& checks, const std::filesystem::path& shaders,
+                            const std::string& first, MutantRun& result);
+  void note(const std::map<std::string, std::string>& said, MutantRun& result) const;
+  [[nodiscard]] bool isDone(const MutantRun& result) const;
+
+  const MutationPlan& plan_;
+  std::filesystem::path scratch_;
+  std::unique_ptr<Suite> suite_;  // made at the first use
+};
+
+}  // namespace ssrkit
