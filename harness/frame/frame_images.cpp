@@ -71,12 +71,14 @@ const std::vector<FrameImageRow>& table() {
       {.name = "irradiance", .format = kRgba16f, .filter = Filter::kLinear},
       {.name = "split_sum", .format = kRg32f, .filter = Filter::kLinear},
       // A trace's.
-      {.name = "hit_texel", .format = kRg16i},
-      {.name = "hit_point", .format = kRgba32f},
+      {.name = "hit_texel", .format = kRg16i, .clear = {-1, -1}},
+      {.name = "hit_point", .format = kRgba32f, .clear = {-1, -1, -1, 0}},
       {.name = "ray_work", .format = kRgba16ui},
-      {.name = "hit_texel_half", .format = kRg16i, .divisor = 2},
-      {.name = "hit_point_half", .format = kRgba32f, .divisor = 2},
+      {.name = "ray_depth", .format = kD32f, .clear = {1, 0, 0, 0}},
+      {.name = "hit_texel_half", .format = kRg16i, .clear = {-1, -1}, .divisor = 2},
+      {.name = "hit_point_half", .format = kRgba32f, .clear = {-1, -1, -1, 0}, .divisor = 2},
       {.name = "ray_work_half", .format = kRgba16ui, .divisor = 2},
+      {.name = "ray_depth_half", .format = kD32f, .clear = {1, 0, 0, 0}, .divisor = 2},
       // A technique's.
       {.name = "microfacet_normal", .format = kRgba32f, .channels = rgba},
       {.name = "ray_material", .format = kRgba16f, .channels = rgb},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/check.h"
 #include "device/format.h"
@@ -49,6 +50,43 @@ Expected<void> makePartners(const FramePass& pass, FrameImages& images) {
   return {};
 }
 
+// An output or the depth, created when missing.
+Expected<Attachment> attachmentOf(const FramePass& pass, const std::string& name, FrameImages& images) {
+  const auto image = images.get(name);
+  if (!image) {
+    return tl::make_unexpected(image.error());
+  }
+  Attachment attachment{*image, 0, std::nullopt};
+  if (std::ranges::find(pass.clears, name) != pass.clears.end()) {
+    attachment.clear = frameImageRow(name).clear;
+  }
+  return attachment;
+}
+
+struct Targets {
+  std::vector<Attachment> colour;
+  std::optional<Attachment> depth;
+};
+
+Expected<Targets> targetsOf(const FramePass& pass, FrameImages& images) {
+  Targets targets;
+  for (const std::string& output : pass.outputs) {
+    const auto colour = attachmentOf(pass, output, images);
+    if (!colour) {
+      return tl::make_unexpected(colour.error());
+    }
+    targets.colour.push_back(*colour);
+  }
+  if (!pass.depth.empty()) {
+    const auto depth = attachmentOf(pass, pass.depth, images);
+    if (!depth) {
+      return tl::make_unexpected(depth.error());
+    }
+    targets.depth = *depth;
+  }
+  return targets;
+}
+
 UniformValues valuesOf(const FramePass& pass, const UniformValues& shared) {
   UniformValues values = shared;
   for (const auto& [name, constant] : pass.constants) {
@@ -90,7 +128,7 @@ PassRow passRow(const FramePass& pass) {
               .vertex_shader = "full_screen.vert",
               .fragment_shader = pass.shader.empty() ? pass.name + ".frag" : pass.shader,
               .colour_formats = {},
-              .has_depth = false,
+              .has_depth = !pass.depth.empty(),
               .vertex_attributes = {},
               .vertex_stride_bytes = 0};
   for (const std::string& output : pass.outputs) {
@@ -132,13 +170,9 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
   if (!aliases) {
     return tl::make_unexpected(aliases.error());
   }
-  std::vector<Attachment> targets;
-  for (const std::string& output : pass.pass.outputs) {
-    const auto image = images.get(output);
-    if (!image) {
-      return tl::make_unexpected(image.error());
-    }
-    targets.push_back({*image, 0, std::nullopt});
+  const auto targets = targetsOf(pass.pass, images);
+  if (!targets) {
+    return tl::make_unexpected(targets.error());
   }
   auto made = makePartners(pass.pass, images);
   made = made ? makeBlueNoise(device, pass, images) : made;
@@ -147,12 +181,13 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
   }
   const UniformValues own_values = valuesOf(pass.pass, values);
   if (pass.pass.fills_mips) {
-    return drawMips(device, pass, *targets.front().image, *aliases, images, own_values);
+    return drawMips(device, pass, *targets->colour.front().image, *aliases, images, own_values);
   }
-  const Size size = targets.front().image->desc().size;
+  const Size size = targets->colour.front().image->desc().size;
   auto time = drawFullScreen(device, *pass.program,
                              {.row = &pass.row,
-                              .targets = targets,
+                              .targets = targets->colour,
+                              .depth = targets->depth,
                               .viewport = {0, 0, size.width, size.height},
                               .aliases = *aliases},
                              images, own_values);

@@ -27,6 +27,11 @@ struct FramePass {
   // Afterwards its outputs and these images, in order and each pair of one kind, change places: so a sum over
   // samples is read under one name and written under the other, draw after draw.
   std::vector<std::string> swaps_with = {};
+  // A row whose depth is tested and written, so that what a pass has covered later ones leave alone: the
+  // triangle is nearer than the clear.
+  std::string depth = {};
+  // Of its outputs and its depth: what is cleared to the rows' values before it is drawn.
+  std::vector<std::string> clears = {};
 };
 
 // A pass with its program.

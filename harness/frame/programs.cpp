@@ -175,7 +175,7 @@ Expected<PassTime> drawFullScreen(Device& device, const Program& program, const 
                 .uniforms = uniforms,
                 .vertices = nullptr,
                 .colour = pass.targets,
-                .depth = std::nullopt,
+                .depth = pass.depth,
                 .viewport = pass.viewport,
                 .draws = {DrawCall{}}};
   return device.draw(desc);

@@ -69,6 +69,7 @@ class Programs {
 struct FullScreenPass {
   const PassRow* row = nullptr;
   std::vector<Attachment> targets;
+  std::optional<Attachment> depth = std::nullopt;
   Rect viewport;
   std::map<std::string, SampledImage> aliases;
 };

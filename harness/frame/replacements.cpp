@@ -14,7 +14,7 @@
 #include "frame/shadow_map.h"
 #include "frame/stages.h"
 #include "frame/techniques.h"
-#include "frame/tracing.h"
+#include "frame/trace_pass.h"
 #include "frame/variants.h"
 
 namespace ssrkit {
@@ -41,6 +41,7 @@ std::vector<std::string> replaceableNames() {
     add(technique.after_sample);
     add(technique.after_trace);
   }
+  add({withoutRayPass()});
   for (const Stage& stage : stages()) {
     names.push_back(stage.name);
     add({tracePass(stage.shader), tracePass(stage.tuned_shader)});

@@ -8,6 +8,7 @@
 #include "frame/image_transfer.h"
 #include "frame/stages.h"
 #include "frame/technique_in_frame.h"
+#include "frame/trace_pass.h"
 
 namespace ssrkit {
 
@@ -31,30 +32,6 @@ Expected<Technique> techniqueOf(const Job& job, const TraceRequest& request) {
   }
   return inFrame(**technique, **kind);
 }
-
-}  // namespace
-
-void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) {
-  values.set("thickness_m", parameters.thickness_m);
-  values.set("thickness_rel", parameters.thickness_rel);
-  values.set("max_distance_m", parameters.max_distance_m);
-  values.set("origin_bias", parameters.origin_bias);
-  values.set("step_m", parameters.step_m);
-  values.set("stride_px", static_cast<double>(parameters.stride_px));
-  values.set("jitter", parameters.jitter);
-  values.set("lookup_budget", parameters.lookup_budget);
-  values.set("step_count", parameters.step_count);
-  values.set("bisection_count", parameters.bisection_count);
-  values.set("max_mip", parameters.max_mip);
-  values.set("step_growth", parameters.step_growth);
-  values.set("first_step_share", firstStepShare(parameters.step_growth, parameters.step_count));
-  values.set("ray_stride_texels", 1);
-}
-
-namespace {
-
-// Of the images of a trace with fewer rays than texels.
-constexpr const char* kHalf = "_half";
 
 // Puts the rays of every stride-th texel where they started from. The other texels are told as not
 // reflective, in the record and in the material that the tracer is held to.
@@ -84,12 +61,6 @@ Expected<void> spreadRays(Device& device, const FrameImages& images, int stride,
 
 }  // namespace
 
-FramePass tracePass(const std::string& shader) {
-  return {.name = shader.substr(0, shader.find('.')),
-          .outputs = {"hit_texel", "hit_point", "ray_work"},
-          .shader = shader};
-}
-
 Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings, const Job& job,
                                    const TraceRequest& request, const Progress& progress) {
   const auto stage = findStage(request.stage);
@@ -104,19 +75,13 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   tracing.stage_ = request.stage;
   tracing.parameters_ = withStageDefaults(request.parameters, **stage, job.size);
   tracing.technique_ = std::move(*technique);
-  FramePass pass = tracePass(shaderOf(**stage, tracing.parameters_));
-  pass.inputs = tracing.technique_.trace_inputs;
-  if (tracing.technique_.ray_stride_texels > 1) {
-    for (std::string& output : pass.outputs) {
-      output += kHalf;
-    }
-  }
-  auto trace = preparePass(programs, settings, pass, progress);
+  auto trace = preparePasses(
+      programs, settings, tracePasses(shaderOf(**stage, tracing.parameters_), tracing.technique_), progress);
   if (!trace) {
     return tl::make_unexpected(trace.error());
   }
   tracing.trace_ = std::move(*trace);
-  tracing.layout_ = pyramidLayoutOf(*tracing.trace_.program);
+  tracing.layout_ = pyramidLayoutOf(*tracing.trace_.back().program);
   if (tracing.layout_ != PyramidLayout::kNone) {
     for (const auto& [row, program] : {std::pair{&pyramidBasePass(), &tracing.pyramid_.base},
                                        std::pair{&pyramidReducePass(), &tracing.pyramid_.reduce}}) {
@@ -168,12 +133,14 @@ std::string Tracing::depthImage() const {
 
 Expected<void> Tracing::drawTrace(Device& device, FrameImages& images, const UniformValues& values,
                                   const Progress& progress) {
-  progress("draw " + trace_.pass.name);
-  const auto time = drawPass(device, trace_, images, values);
-  if (!time) {
-    return tl::make_unexpected(time.error());
+  for (const PreparedPass& pass : trace_) {
+    progress("draw " + pass.pass.name);
+    const auto time = drawPass(device, pass, images, values);
+    if (!time) {
+      return tl::make_unexpected(time.error());
+    }
+    times_.add("trace", *time);
   }
-  times_.add("trace", *time);
   return {};
 }
 
@@ -218,7 +185,7 @@ Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) c
                      .record = {},
                      .images = {},
                      .passes = times_.reports()};
-  const std::string suffix = technique_.ray_stride_texels > 1 ? kHalf : "";
+  const std::string suffix = recordSuffix(technique_);
   auto record = readRecord(device, *images.find("hit_texel" + suffix), *images.find("hit_point" + suffix),
                            *images.find("ray_work" + suffix));
   if (!record) {

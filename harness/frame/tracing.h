@@ -19,12 +19,6 @@
 
 namespace ssrkit {
 
-// The parameters as the tracers' uniforms; what was left open must have been filled in.
-void setTraceUniforms(UniformValues& values, const TraceParameters& parameters);
-
-// The pass of a tracer's entry file: "trace_hiz.frag" draws the pass "trace_hiz".
-[[nodiscard]] FramePass tracePass(const std::string& shader);
-
 // A trace that is ready to be drawn as often as its timing asks for.
 class Tracing {
  public:
@@ -56,8 +50,8 @@ class Tracing {
 
   std::string stage_;
   TraceParameters parameters_;
-  Technique technique_;  // an empty one when no picture is wanted
-  PreparedPass trace_;
+  Technique technique_;              // an empty one when no picture is wanted
+  std::vector<PreparedPass> trace_;  // the tracer's own is the last
   std::vector<PreparedPass> before_pyramid_;
   std::vector<PreparedPass> before_trace_;
   std::vector<PreparedPass> after_sample_;

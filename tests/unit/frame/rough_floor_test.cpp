@@ -5,7 +5,7 @@
 #include "../kit_shaders.h"
 #include "frame/gbuffer_source.h"
 #include "frame/stages.h"
-#include "frame/tracing.h"
+#include "frame/trace_pass.h"
 #include "rough_floor.h"
 
 namespace ssrkit {
@@ -49,10 +49,8 @@ std::map<int, Image> RoughFloorTest::means(const std::string& technique, int sam
                                            const std::vector<int>& counts) {
   const auto row = findTechnique(technique);
   EXPECT_TRUE(row.has_value());
-  FramePass trace = tracePass("trace_walk.frag");
-  trace.inputs = (*row)->trace_inputs;
   std::vector<FramePass> each = (*row)->before_trace;
-  each.push_back(trace);
+  std::ranges::copy(tracePasses("trace_walk.frag", **row), std::back_inserter(each));
   each.insert(each.end(), (*row)->after_sample.begin(), (*row)->after_sample.end());
   std::map<int, Image> at;
   for (int sample = 0; sample < sample_count; ++sample) {

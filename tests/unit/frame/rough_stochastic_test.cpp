@@ -6,7 +6,7 @@
 #include <random>
 
 #include "frame/run_job.h"
-#include "frame/tracing.h"
+#include "frame/trace_pass.h"
 #include "ggx_reference.h"
 #include "rough_floor.h"
 #include "rough_floor_test.h"
@@ -20,10 +20,8 @@ class RoughStochasticTest : public RoughFloorTest {
   Image drawn(const std::string& image) {
     const auto row = findTechnique("stochastic");
     EXPECT_TRUE(row.has_value());
-    FramePass trace = tracePass("trace_walk.frag");
-    trace.inputs = (*row)->trace_inputs;
     std::vector<FramePass> passes = (*row)->before_trace;
-    passes.push_back(trace);
+    std::ranges::copy(tracePasses("trace_walk.frag", **row), std::back_inserter(passes));
     for (const FramePass& pass : (*row)->after_trace) {
       passes.push_back(pass);
       if (pass.outputs.front() == image) {
