@@ -4,10 +4,14 @@
 
 layout(binding = 4) uniform sampler2D pyramid_atlas;
 
+// Copies of the block's members (trace_entry.glsl).
+vec2 atlas_uv = atlas_texel_uv;
+float atlas_height = atlas_rows;
+
 // Level m starts at row atlas_rows * (1 - 2^-m): the base at 0, each level below the one before (docs/formats.md).
 vec2 load_atlas(vec2 cell, float cell_size_px) {
-  float first_row = atlas_rows - atlas_rows / cell_size_px;
-  return textureLod(pyramid_atlas, vec2(cell.x + 0.5, cell.y + (first_row + 0.5)) * atlas_texel_uv, 0.0).xy;
+  float first_row = atlas_height - atlas_height / cell_size_px;
+  return textureLod(pyramid_atlas, vec2(cell.x + 0.5, cell.y + (first_row + 0.5)) * atlas_uv, 0.0).xy;
 }
 
 #include "ssr_march_hiz_tuned.glsl"
