@@ -47,13 +47,14 @@ RayHit march_hiz_tuned(Ray ray, TraceParameters parameters) {
     if (is_hit || is_over) {
       break;
     }
-    // Down: the child that the ray is in at s_in. Along: the neighbour, seen from one level up.
+    // Down: the child that the ray is in at s_in. Along: the neighbour, seen from one level up where it has another parent.
     vec2 s_middle = ray_s_at_edges(ray, (cell + 0.5) * cell_size_px);
     vec2 is_past_middle = vec2(greaterThanEqual(vec2(s_in), s_middle));
     vec2 child = 2.0 * cell + abs((1.0 - far_edge) - is_past_middle);
     vec2 neighbour = cell + (s_edges.x <= s_edges.y ? vec2(direction.x, 0.0) : vec2(0.0, direction.y));
-    bool climbs = cell_size_px < coarsest_px;
-    cell = may_hit ? child : climbs ? floor(0.5 * neighbour) : neighbour;
+    vec2 parent = floor(0.5 * neighbour);
+    bool climbs = cell_size_px < coarsest_px && any(notEqual(parent, floor(0.5 * cell)));
+    cell = may_hit ? child : climbs ? parent : neighbour;
     cell_size_px = may_hit ? 0.5 * cell_size_px : climbs ? 2.0 * cell_size_px : cell_size_px;
     s_in = may_hit ? s_in : s_out;
     inv_dist_in = may_hit ? inv_dist_in : inv_dist_out;
