@@ -14,6 +14,7 @@ MAY_INCLUDE["environment"] = {"base", "image"}
 MAY_INCLUDE["device"] = {"base", "image", "shader"}
 MAY_INCLUDE["frame"] = {"base", "spaces", "image", "shader", "scene", "environment", "device"}
 MAY_INCLUDE["oracle"] = {"base", "spaces", "image", "scene"}  # written apart from shaders, devices and frames
+MAY_INCLUDE["native"] = MAY_INCLUDE["oracle"] | {"oracle"}  # the oracle's input, and nothing that draws
 MAY_INCLUDE["worker"] = MAY_INCLUDE["frame"] | {"frame"}
 MAY_INCLUDE["check"] = {"base", "spaces", "image", "scene", "oracle"}
 MAY_INCLUDE["mutation"] = {"base", "check"}

@@ -1,0 +1,155 @@
+#include "native/trace.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+#include "base/check.h"
+#include "native/depth_pyramid.h"
+#include "native/hiz_kernel.h"
+
+namespace ssrkit {
+
+namespace {
+
+constexpr int kRowsAtOnce = 8;  // what a thread takes on
+constexpr double kInfinite = 1e30;
+
+std::vector<const HizKernel*> kernels() {
+  std::vector<const HizKernel*> list;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    list.push_back(&kHizAvx512);
+  }
+  if (__builtin_cpu_supports("avx2")) {
+    list.push_back(&kHizAvx2);
+  }
+#endif
+  list.push_back(&kHizBaseline);
+  return list;
+}
+
+// As the uniforms of the shaders have it.
+float uniform(double value) {
+  return static_cast<float>(std::min(value, kInfinite));
+}
+
+HizScene sceneOf(const OracleInput& input, const DepthPyramid& pyramid) {
+  const PixelProjection projection = pixelProjection(*input.camera);
+  const TraceParameters& parameters = input.parameters;
+  HizScene scene{.width = input.camera->size.width,
+                 .height = input.camera->size.height,
+                 .near_m = uniform(input.camera->near_m),
+                 .thickness_m = uniform(parameters.thickness_m),
+                 .thickness_rel = uniform(parameters.thickness_rel),
+                 .max_distance_m = uniform(parameters.max_distance_m),
+                 .origin_bias = uniform(parameters.origin_bias),
+                 .lookup_budget = parameters.lookup_budget,
+                 .coarsest_px = std::exp2(static_cast<float>(parameters.max_mip)),
+                 .dist_view = input.dist_view->data.data(),
+                 .normal_view = input.normal_view->data.data(),
+                 .normal_channels = static_cast<int>(input.normal_view->channelCount()),
+                 .pyramid = pyramid.entries.data(),
+                 .pyramid_width = pyramid.width,
+                 .pyramid_rows = static_cast<float>(pyramid.rows())};
+  for (int axis = 0; axis < 2; ++axis) {
+    scene.px_scale[axis] = uniform(projection.px_scale[axis]);
+    scene.px_offset[axis] = uniform(projection.px_offset[axis]);
+    scene.view_per_px[axis] = uniform(1.0 / projection.px_scale[axis]);
+  }
+  return scene;
+}
+
+// The texels of some rows that a ray starts from; the others get their class.
+std::vector<int> raysOf(const OracleInput& input, int first_row, int end_row, RayRecord& record) {
+  std::vector<int> texels;
+  const int width = input.camera->size.width;
+  for (int texel = first_row * width; texel < end_row * width; ++texel) {
+    const auto i = static_cast<std::size_t>(texel);
+    if (std::isinf(input.dist_view->data[i])) {
+      record.rays[i].ray_class = RayClass::kBackground;
+    } else if (input.mask == nullptr || input.mask->data[i] != 0.0F) {
+      texels.push_back(texel);
+    }
+  }
+  return texels;
+}
+
+void traceRows(const HizKernel& kernel, const HizScene& scene, const OracleInput& input, int first_row,
+               RayRecord& record) {
+  const int end_row = std::min(first_row + kRowsAtOnce, scene.height);
+  const std::vector<int> texels = raysOf(input, first_row, end_row, record);
+  std::vector<HizAnswer> answers(texels.size());
+  kernel.trace(scene, texels.data(), static_cast<int>(texels.size()), answers.data());
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const HizAnswer& answer = answers[i];
+    const auto lookups = static_cast<std::uint32_t>(answer.lookups);
+    record.rays[static_cast<std::size_t>(texels[i])] = {.texel_x = answer.texel_x,
+                                                        .texel_y = answer.texel_y,
+                                                        .px_x = answer.px_x,
+                                                        .px_y = answer.px_y,
+                                                        .t_m = answer.t_m,
+                                                        .ray_class = static_cast<RayClass>(answer.ray_class),
+                                                        .lookups = lookups,
+                                                        .steps = lookups};
+  }
+}
+
+std::int64_t processCpuNs() {
+  timespec now{};
+  SSRKIT_CHECK_EQ(clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now), 0);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+void traceAll(const HizKernel& kernel, const HizScene& scene, const OracleInput& input, int thread_count,
+              RayRecord& record) {
+  std::atomic<int> next_row = 0;
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < thread_count; ++i) {
+    threads.emplace_back([&] {
+      for (int row = next_row.fetch_add(kRowsAtOnce); row < scene.height;
+           row = next_row.fetch_add(kRowsAtOnce)) {
+        traceRows(kernel, scene, input, row, record);
+      }
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> nativeInstructionSets() {
+  std::vector<std::string> names;
+  for (const HizKernel* kernel : kernels()) {
+    names.emplace_back(kernel->instruction_set);
+  }
+  return names;
+}
+
+Expected<NativeTrace> traceNative(const OracleInput& input, int thread_count,
+                                  const std::string& instruction_set) {
+  if (const auto valid = checkInput(input); !valid) {
+    return tl::make_unexpected(valid.error());
+  }
+  SSRKIT_CHECK_LE(0, input.parameters.max_mip);
+  const std::vector<const HizKernel*> all = kernels();
+  const auto kernel = std::ranges::find_if(all, [&](const HizKernel* candidate) {
+    return instruction_set.empty() || instruction_set == candidate->instruction_set;
+  });
+  SSRKIT_CHECK(kernel != all.end());
+  NativeTrace result{.record = {input.camera->size, {}},
+                     .instruction_set = (*kernel)->instruction_set,
+                     .lane_count = (*kernel)->lane_count};
+  const std::int64_t start_ns = processCpuNs();
+  const DepthPyramid pyramid = buildDepthPyramid(*input.dist_view, input.parameters.max_mip);
+  const std::int64_t built_ns = processCpuNs();
+  result.record.rays.resize(input.dist_view->texelCount());
+  traceAll(**kernel, sceneOf(input, pyramid), input, thread_count, result.record);
+  result.pyramid_cpu_ns = built_ns - start_ns;
+  result.trace_cpu_ns = processCpuNs() - built_ns;
+  return result;
+}
+
+}  // namespace ssrkit
