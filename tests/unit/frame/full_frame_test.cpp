@@ -1,7 +1,10 @@
 // Every technique over a frame whose lit image holds the environment's reflection already.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <set>
+#include <string>
 
 #include "../kit_shaders.h"
 #include "frame/frames.h"
@@ -29,7 +32,7 @@ Job furnace() {
   std::ranges::fill(job.gbuffer.at("lit").data, kFurnace);
   Image base = job.gbuffer.at("lit");
   for (std::size_t i = 0; i < base.data.size(); ++i) {
-    const bool is_floor = i / (3U * kFloorSize.width) >= kFirstFloorRow;
+    const bool is_floor = i >= std::size_t{3} * kFloorSize.width * kFirstFloorRow;
     base.data[i] = is_floor ? 0.0F : kFurnace;
   }
   job.gbuffer["lit_base"] = std::move(base);
