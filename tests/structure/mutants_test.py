@@ -90,12 +90,14 @@ class Mutants(unittest.TestCase):
                 if "pass" in mutant:  # its own unit test draws it
                     self.assertIn(f'"{name}"', tests[killer])
 
-    def test_every_pass_is_changed_by_one(self):
+    def test_every_pass_and_the_comparison_code_are_changed_by_one(self):
         changed = {changed_file(mutant) for mutant in self.mutants.values()}
         entries = [*(ROOT / "shaders").glob("*.frag"), *(ROOT / "shaders").glob("*.vert")]
         for entry in sorted(path for path in entries if "void main() {}" not in path.read_text()):
             with self.subTest(entry.name):
                 self.assertTrue(made_of(entry) & changed)
+        rooms = {path.relative_to(ROOT).parts[1] for path in changed if path.suffix == ".cpp"}
+        self.assertLessEqual({"check", "oracle", "device", "spaces", "shader"}, rooms)
 
 
 if __name__ == "__main__":

@@ -255,6 +255,42 @@ TEST(RelativeError, TheWorstChannelCounts) {
   EXPECT_EQ(outcomeName(bench.check(absolute)), "fail");
 }
 
+TEST(CoverageFlips, BothWaysCount) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
+  Image& truth = bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  const Expectation none =
+      expectation("metric = \"coverage_flips\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
+  yours.at(1, 1) = kInfinity;
+  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
+  yours.at(1, 1) = 4.0F;
+  truth.at(2, 2) = kInfinity;
+  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
+}
+
+TEST(Identical, AZeroOfTheOtherSignIsAnotherZero) {
+  Bench bench;
+  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 0.0F);
+  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 0.0F);
+  const Expectation identical =
+      expectation("metric = \"identical\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
+  EXPECT_EQ(outcomeName(bench.check(identical)), "pass");
+  yours.at(1, 1) = -0.0F;
+  EXPECT_EQ(outcomeName(bench.check(identical)), "fail");
+}
+
+TEST(DifferentRays, MissesOfDifferentClassesDiffer) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  const Expectation none = expectation("metric = \"different_rays\"\ntruth = \"cross:gl-osmesa\"");
+  bench.records[0].rays[3] = without(RayClass::kRange);
+  bench.records[1].rays[3] = without(RayClass::kRange);
+  EXPECT_EQ(outcomeName(bench.check(none)), "pass");
+  bench.records[1].rays[3] = without(RayClass::kOffscreen);
+  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
+}
+
 TEST(MaskFlips, AreCountedPerMillionPixels) {
   Bench bench;
   bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
