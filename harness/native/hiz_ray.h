@@ -53,7 +53,10 @@ inline Surface loadSurfaces(const HizScene& scene, const int* texels, int count)
     });
   };
   Surface surface{{Floats([&](auto lane) { return static_cast<float>(texel(lane) % scene.width) + 0.5F; }),
-                   Floats([&](auto lane) { return static_cast<float>(texel(lane) / scene.width) + 0.5F; })},
+                   Floats([&](auto lane) {
+                     const int row = texel(lane) / scene.width;
+                     return static_cast<float>(row) + 0.5F;
+                   })},
                   Floats([&](auto lane) { return scene.dist_view[texel(lane)]; }),
                   orderedNormalize({normal(0), normal(1), normal(2)}),
                   0.0F};

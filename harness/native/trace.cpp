@@ -108,6 +108,7 @@ void traceAll(const HizKernel& kernel, const HizScene& scene, const OracleInput&
               RayRecord& record) {
   std::atomic<int> next_row = 0;
   std::vector<std::jthread> threads;
+  threads.reserve(static_cast<std::size_t>(thread_count));
   for (int i = 0; i < thread_count; ++i) {
     threads.emplace_back([&] {
       for (int row = next_row.fetch_add(kRowsAtOnce); row < scene.height;
