@@ -24,6 +24,8 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
       return measureTrueHitError(expectation, subject);
     case Metric::kHitJumpPx:
       return measureHitJump(expectation, subject);
+    case Metric::kFoundShare:
+      return measureFoundShare(expectation, subject);
     case Metric::kClosedForm:
     case Metric::kClosedFormLookups:
       return measureClosedForm(expectation, subject);
@@ -44,6 +46,8 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
       return measureLookups(expectation, subject);
     case Metric::kLookupRatio:
       return measureLookupRatio(expectation, subject);
+    case Metric::kP95LookupRatio:
+      return measureP95LookupRatio(expectation, subject);
     case Metric::kLookupsAdded:
       return measureLookupsAdded(expectation, subject);
     case Metric::kMissLookupRatio:
@@ -52,9 +56,13 @@ Measurement measure(const Expectation& expectation, const Subject& subject) {
     case Metric::kSkippedShare:
       return measureSampling(expectation, subject);
     case Metric::kCpuRatio:
+    case Metric::kPixelCpuRatio:
+    case Metric::kWallRatio:
     case Metric::kPassCpuShare:
     case Metric::kPassCpuLead:
       return measureCpuRatio(expectation, subject);
+    case Metric::kRooflineMultiple:
+      return measureRooflineMultiple(expectation, subject);
     case Metric::kConvergence:
       return measureConvergence(expectation, subject);
     case Metric::kBudgetMonotone:

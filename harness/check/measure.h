@@ -17,6 +17,7 @@ namespace ssrkit {
 [[nodiscard]] Measurement measureVerdicts(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureVerdictGain(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureHitPosition(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureFoundShare(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject);
 
 // measure_geometry.cpp: held against the true geometry.
@@ -42,6 +43,7 @@ namespace ssrkit {
 // measure_lookups.cpp
 [[nodiscard]] Measurement measureLookups(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureLookupRatio(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureP95LookupRatio(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureLookupsAdded(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureMissLookupRatio(const Subject& subject);
 
@@ -50,6 +52,7 @@ namespace ssrkit {
 
 // measure_time.cpp
 [[nodiscard]] Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject);
+[[nodiscard]] Measurement measureRooflineMultiple(const Expectation& expectation, const Subject& subject);
 
 // measure_cases.cpp: over several sets of parameters.
 [[nodiscard]] Measurement measureConvergence(const Expectation& expectation, const Subject& subject);

@@ -137,6 +137,33 @@ Measurement measureLookupRatio(const Expectation& expectation, const Subject& su
   return measurement;
 }
 
+Measurement measureP95LookupRatio(const Expectation& expectation, const Subject& subject) {
+  const auto answer = answerOfTruth(subject, expectation.truth);
+  if (const auto* problem = std::get_if<std::string>(&answer)) {
+    return cannotMeasure(*problem);
+  }
+  const Answer& other = *std::get<const Answer*>(answer);
+  for (const Answer* side : {subject.self, &other}) {
+    if (std::string problem = problemWithRecord(*side); !problem.empty()) {
+      return cannotMeasure(std::move(problem));
+    }
+  }
+  constexpr double kP95 = 95.0;
+  const Lookups yours = lookupsOf(*subject.self->record);
+  const Lookups theirs = lookupsOf(*other.record);
+  const double below = theirs.per_ray.empty() ? 0.0 : percentileOf(theirs.per_ray, kP95);
+  if (yours.per_ray.empty() || below == 0.0) {
+    return cannotMeasure("one side did not count a single lookup, so no ratio exists");
+  }
+  Measurement measurement;
+  measurement.compared = std::min(yours.per_ray.size(), theirs.per_ray.size());
+  const double above = percentileOf(yours.per_ray, kP95);
+  measurement.value = above / below;
+  measurement.remark = fmt::format("95 % of the rays make at most {:g} lookups, of {} {:g}", above,
+                                   expectation.truth.name, below);
+  return measurement;
+}
+
 Measurement measureMissLookupRatio(const Subject& subject) {
   if (std::string problem = problemWithRecord(*subject.self); !problem.empty()) {
     return cannotMeasure(std::move(problem));

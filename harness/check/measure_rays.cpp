@@ -164,6 +164,27 @@ Measurement measureHitPosition(const Expectation& expectation, const Subject& su
   return measurement;
 }
 
+Measurement measureFoundShare(const Expectation& expectation, const Subject& subject) {
+  constexpr double kFoundWithinPx = 2.0;
+  const RayPairs pairs = pairRays(subject, expectation.truth);
+  if (!pairs.problem.empty()) {
+    return cannotMeasure(pairs.problem);
+  }
+  std::size_t hits = 0;
+  std::size_t found = 0;
+  for (const RayPair& pair : pairs.pairs) {
+    hits += pair.expected->ray_class == RayClass::kHit ? 1U : 0U;
+    found += bothHit(pair) && hitDistancePx(pair) <= kFoundWithinPx ? 1U : 0U;
+  }
+  Measurement measurement;
+  measurement.compared = hits;
+  measurement.compared_what = "hits";
+  measurement.value = hits == 0 ? 0.0 : static_cast<double>(found) / static_cast<double>(hits);
+  measurement.remark =
+      fmt::format("{} of {} hits of the oracle found within {:g} px", found, hits, kFoundWithinPx);
+  return measurement;
+}
+
 Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject) {
   const RayPairs pairs = pairRays(subject, expectation.truth);
   if (!pairs.problem.empty()) {

@@ -6,13 +6,14 @@
 #include "check/measure.h"
 #include "check/paired_ratio.h"
 #include "check/percentile.h"
+#include "spaces/roofline.h"
 
 namespace ssrkit {
 
 namespace {
 
-struct CpuRounds {
-  std::vector<double> cpu_ns;  // summed over the passes, one a round
+struct TimedRounds {
+  std::vector<double> ns;  // summed over the passes, one a round
   std::string problem;
 };
 
@@ -27,24 +28,26 @@ std::vector<std::string> timedPasses(const Answer& answer) {
   return passes;
 }
 
-CpuRounds cpuOf(const Answer& answer, const std::vector<std::string>& named) {
+using Clock = double TimeSample::*;
+
+TimedRounds roundsOf(const Answer& answer, const std::vector<std::string>& named, Clock clock) {
   const std::vector<std::string> passes =
       named == std::vector<std::string>{kAllPasses} ? timedPasses(answer) : named;
-  CpuRounds rounds;
+  TimedRounds rounds;
   for (const std::string& pass : passes) {
     const auto found = answer.times.find(pass);
     if (found == answer.times.end() || found->second.empty()) {
       rounds.problem = fmt::format("the pass '{}' of the stage '{}' was not timed", pass, answer.stage);
       return rounds;
     }
-    rounds.cpu_ns.resize(rounds.cpu_ns.empty() ? found->second.size() : rounds.cpu_ns.size());
-    if (found->second.size() != rounds.cpu_ns.size()) {
+    rounds.ns.resize(rounds.ns.empty() ? found->second.size() : rounds.ns.size());
+    if (found->second.size() != rounds.ns.size()) {
       rounds.problem = fmt::format("the pass '{}' of the stage '{}' has {} timed rounds, not {}", pass,
-                                   answer.stage, found->second.size(), rounds.cpu_ns.size());
+                                   answer.stage, found->second.size(), rounds.ns.size());
       return rounds;
     }
-    for (std::size_t round = 0; round < rounds.cpu_ns.size(); ++round) {
-      rounds.cpu_ns[round] += found->second[round].cpu_ns;
+    for (std::size_t round = 0; round < rounds.ns.size(); ++round) {
+      rounds.ns[round] += found->second[round].*clock;
     }
   }
   return rounds;
@@ -56,31 +59,40 @@ std::string costliestOther(const Answer& answer, const std::vector<std::string>&
   std::string costliest;
   double most = 0.0;
   for (const std::string& pass : timedPasses(answer)) {
-    const CpuRounds rounds = cpuOf(answer, {pass});
+    const TimedRounds rounds = roundsOf(answer, {pass}, &TimeSample::cpu_ns);
     const bool is_other = std::ranges::find(passes, pass) == passes.end();
-    if (is_other && !rounds.cpu_ns.empty() && percentileOf(rounds.cpu_ns, kMedian) > most) {
-      most = percentileOf(rounds.cpu_ns, kMedian);
+    if (is_other && !rounds.ns.empty() && percentileOf(rounds.ns, kMedian) > most) {
+      most = percentileOf(rounds.ns, kMedian);
       costliest = pass;
     }
   }
   return costliest;
 }
 
+void scale(TimedRounds& rounds, double factor) {
+  for (double& ns : rounds.ns) {
+    ns *= factor;
+  }
+}
+
+double pixelCount(const Answer& answer) {
+  return static_cast<double>(answer.size.width) * static_cast<double>(answer.size.height);
+}
+
 // The ratio of the rounds of one cost to those of another, held to the expectation's bounds.
-Measurement ratioOf(const CpuRounds& yours, const CpuRounds& other, const Expectation& expectation) {
-  for (const CpuRounds* side : {&yours, &other}) {
+Measurement ratioOf(const TimedRounds& yours, const TimedRounds& other, const Expectation& expectation) {
+  for (const TimedRounds* side : {&yours, &other}) {
     if (!side->problem.empty()) {
       return cannotMeasure(side->problem);
     }
   }
-  if (yours.cpu_ns.size() != other.cpu_ns.size()) {
-    return cannotMeasure(
-        fmt::format("{} rounds cannot be paired with {}", yours.cpu_ns.size(), other.cpu_ns.size()));
+  if (yours.ns.size() != other.ns.size()) {
+    return cannotMeasure(fmt::format("{} rounds cannot be paired with {}", yours.ns.size(), other.ns.size()));
   }
   Measurement measurement;
-  measurement.compared = yours.cpu_ns.size();
+  measurement.compared = yours.ns.size();
   measurement.compared_what = "rounds";
-  const std::optional<RatioInterval> ratio = pairedRatio(yours.cpu_ns, other.cpu_ns);
+  const std::optional<RatioInterval> ratio = pairedRatio(yours.ns, other.ns);
   if (!ratio) {
     measurement.outcome = Outcome::kInconclusive;
     measurement.remark = "fewer than 8 rounds, or a round without measurable CPU time, cannot settle a ratio";
@@ -90,7 +102,7 @@ Measurement ratioOf(const CpuRounds& yours, const CpuRounds& other, const Expect
   measurement.interval = {ratio->low, ratio->high};
   measurement.outcome = judgeRatio(*ratio, expectation.min, expectation.max, expectation.margin);
   measurement.remark = fmt::format("median of {} interleaved rounds {:.4g}, 99 % interval {:.4g} to {:.4g}",
-                                   yours.cpu_ns.size(), ratio->median, ratio->low, ratio->high);
+                                   yours.ns.size(), ratio->median, ratio->low, ratio->high);
   return measurement;
 }
 
@@ -98,7 +110,7 @@ Measurement ratioOf(const CpuRounds& yours, const CpuRounds& other, const Expect
 
 Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject) {
   const Answer* below = subject.self;
-  if (expectation.metric == Metric::kCpuRatio) {
+  if (expectation.truth.kind != TruthKind::kNone) {
     const auto answer = answerOfTruth(subject, expectation.truth);
     if (const auto* problem = std::get_if<std::string>(&answer)) {
       return cannotMeasure(*problem);
@@ -113,10 +125,39 @@ Measurement measureCpuRatio(const Expectation& expectation, const Subject& subje
       return cannotMeasure("no other pass was timed");
     }
   }
-  Measurement measurement =
-      ratioOf(cpuOf(*subject.self, expectation.passes), cpuOf(*below, over), expectation);
+  const Clock clock = expectation.metric == Metric::kWallRatio ? &TimeSample::wall_ns : &TimeSample::cpu_ns;
+  TimedRounds yours = roundsOf(*subject.self, expectation.passes, clock);
+  TimedRounds other = roundsOf(*below, over, clock);
+  if (expectation.metric == Metric::kPixelCpuRatio) {
+    scale(yours, 1.0 / pixelCount(*subject.self));
+    scale(other, 1.0 / pixelCount(*below));
+  }
+  Measurement measurement = ratioOf(yours, other, expectation);
   measurement.remark += is_lead && measurement.value ? fmt::format(", over '{}'", over.front()) : "";
   return measurement;
+}
+
+Measurement measureRooflineMultiple(const Expectation& expectation, const Subject& subject) {
+  const Answer& self = *subject.self;
+  if (self.record == nullptr) {
+    return cannotMeasure("the stage has no ray record");
+  }
+  double lookups = 0.0;
+  for (const RayHit& ray : self.record->rays) {
+    lookups += ray.lookups;
+  }
+  // Round by round: what the trace's lookups would take as nothing but fetches that wait for each other, and
+  // its pixels as nothing but writes.
+  TimedRounds limit = roundsOf(self, {"bench_dependent_fetch"}, &TimeSample::cpu_ns);
+  const TimedRounds writes = roundsOf(self, {"bench_write"}, &TimeSample::cpu_ns);
+  if (!limit.problem.empty() || !writes.problem.empty()) {
+    return cannotMeasure("the rooflines were not timed: the case needs technique = \"rooflines\"");
+  }
+  scale(limit, lookups / (kRooflineFetchCount * pixelCount(self)));
+  for (std::size_t round = 0; round < limit.ns.size(); ++round) {
+    limit.ns[round] += writes.ns[round];
+  }
+  return ratioOf(roundsOf(self, {"trace"}, &TimeSample::cpu_ns), limit, expectation);
 }
 
 }  // namespace ssrkit

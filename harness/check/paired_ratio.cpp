@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -38,27 +39,65 @@ std::optional<std::size_t> samplesOutside(std::size_t count, double confidence) 
   return outside;
 }
 
+// Of samples in any order; none where even their whole range falls short of the confidence.
+std::optional<RatioInterval> intervalOf(std::vector<double> samples, double confidence,
+                                        double sure_confidence) {
+  const std::optional<std::size_t> outside = samplesOutside(samples.size(), confidence);
+  if (!outside) {
+    return std::nullopt;
+  }
+  std::ranges::sort(samples);
+  const std::size_t middle = samples.size() / 2;
+  const double median =
+      samples.size() % 2 == 1 ? samples[middle] : (samples[middle - 1] + samples[middle]) / 2.0;
+  const std::size_t last = samples.size() - 1;
+  RatioInterval interval{median, samples[*outside], samples[last - *outside], -kInfinity, kInfinity};
+  if (const auto sure_outside = samplesOutside(samples.size(), sure_confidence)) {
+    interval.sure_low = samples[*sure_outside];
+    interval.sure_high = samples[last - *sure_outside];
+  }
+  return interval;
+}
+
+bool areAllPositive(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return value > 0.0; });
+}
+
 }  // namespace
 
 std::optional<RatioInterval> pairedRatio(std::span<const double> numerators,
                                          std::span<const double> denominators) {
   SSRKIT_CHECK_EQ(numerators.size(), denominators.size());
-  const std::optional<std::size_t> outside = samplesOutside(numerators.size(), kConfidence);
-  if (!outside || std::ranges::any_of(denominators, [](double value) { return !(value > 0.0); })) {
+  if (!areAllPositive(denominators)) {
     return std::nullopt;
   }
   std::vector<double> ratios(numerators.size());
   std::ranges::transform(numerators, denominators, ratios.begin(), [](double a, double b) { return a / b; });
-  std::ranges::sort(ratios);
-  const std::size_t middle = ratios.size() / 2;
-  const double median = ratios.size() % 2 == 1 ? ratios[middle] : (ratios[middle - 1] + ratios[middle]) / 2.0;
-  const std::size_t last = ratios.size() - 1;
-  RatioInterval interval{median, ratios[*outside], ratios[last - *outside], -kInfinity, kInfinity};
-  if (const auto sure_outside = samplesOutside(ratios.size(), kSureConfidence)) {
-    interval.sure_low = ratios[*sure_outside];
-    interval.sure_high = ratios[last - *sure_outside];
+  return intervalOf(std::move(ratios), kConfidence, kSureConfidence);
+}
+
+std::optional<RatioInterval> medianInterval(std::span<const double> samples) {
+  return intervalOf({samples.begin(), samples.end()}, kConfidence, kSureConfidence);
+}
+
+std::optional<RatioInterval> unpairedRatio(std::span<const double> numerators,
+                                           std::span<const double> denominators) {
+  // Half of the doubt for each side: both intervals hold with the confidence that is asked for.
+  const auto halved = [](double confidence) { return 1.0 - (1.0 - confidence) / 2.0; };
+  const auto above =
+      intervalOf({numerators.begin(), numerators.end()}, halved(kConfidence), halved(kSureConfidence));
+  const auto below =
+      intervalOf({denominators.begin(), denominators.end()}, halved(kConfidence), halved(kSureConfidence));
+  if (!above || !below || !areAllPositive(denominators)) {
+    return std::nullopt;
   }
-  return interval;
+  RatioInterval ratio{above->median / below->median, above->low / below->high, above->high / below->low,
+                      -kInfinity, kInfinity};
+  if (std::isfinite(above->sure_low) && std::isfinite(below->sure_low)) {
+    ratio.sure_low = above->sure_low / below->sure_high;
+    ratio.sure_high = above->sure_high / below->sure_low;
+  }
+  return ratio;
 }
 
 Outcome judgeRatio(const RatioInterval& ratio, std::optional<double> min, std::optional<double> max,

@@ -27,6 +27,14 @@ struct RatioInterval {
 [[nodiscard]] std::optional<RatioInterval> pairedRatio(std::span<const double> numerators,
                                                        std::span<const double> denominators);
 
+// The same of plain samples: their median, and the intervals that hold the true one.
+[[nodiscard]] std::optional<RatioInterval> medianInterval(std::span<const double> samples);
+
+// The ratio of two medians that were measured apart, in no common rounds. The intervals are wider than those
+// of pairs: each side may lie anywhere in its own.
+[[nodiscard]] std::optional<RatioInterval> unpairedRatio(std::span<const double> numerators,
+                                                         std::span<const double> denominators);
+
 // pass: the whole 99 % interval holds the bound. fail: the whole 99.99 % interval breaks it by more than
 // `margin`, a fraction of the bound; to accuse takes more certainty than to acquit, so that identical work
 // measured twice and held to a ratio of 1 does not fail. Anything else is inconclusive: the noise is larger

@@ -52,7 +52,10 @@ void readMetricKeys(FieldReader& fields, const MetricRow& metric_row, const Test
   }
   expectation.passes = fields.optionalTexts("passes");
   expectation.over = fields.optionalTexts("over");
-  if (metric_row.metric == Metric::kCpuRatio && expectation.passes.empty()) {
+  const bool is_pass_ratio = metric_row.metric == Metric::kCpuRatio ||
+                             metric_row.metric == Metric::kPixelCpuRatio ||
+                             metric_row.metric == Metric::kWallRatio;
+  if (is_pass_ratio && expectation.passes.empty()) {
     expectation.passes = {"trace"};
   }
   if (metric_row.timed && test.rounds == 0) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/check.h"
+
 namespace ssrkit {
 
 namespace {
@@ -54,6 +56,21 @@ Image maskOf(const std::map<std::string, Image>& images) {
     mask.data[texel] = material->second.data[texel * material->second.channelCount() + 2];
   }
   return mask;
+}
+
+void appendRounds(CellRun& cell, const JobResult& again) {
+  const auto append = [](std::vector<PassReport>& passes, const std::vector<PassReport>& more) {
+    for (const PassReport& report : more) {
+      const auto pass = std::ranges::find(passes, report.pass, &PassReport::pass);
+      SSRKIT_CHECK(pass != passes.end());
+      pass->steady.insert(pass->steady.end(), report.steady.begin(), report.steady.end());
+    }
+  };
+  SSRKIT_CHECK_EQ(cell.result->traces.size(), again.traces.size());
+  append(cell.result->frame_passes, again.frame_passes);
+  for (std::size_t i = 0; i < again.traces.size(); ++i) {
+    append(cell.result->traces[i].passes, again.traces[i].passes);
+  }
 }
 
 void addTruths(CellRun& cell) {

@@ -44,6 +44,9 @@ struct CellRun {
 // The reflective pixels of a G-buffer: 1 channel, from the material; empty without a material.
 [[nodiscard]] Image maskOf(const std::map<std::string, Image>& images);
 
+// Adds the timed rounds of the same job, drawn once more: its first draws were warm-up.
+void appendRounds(CellRun& cell, const JobResult& again);
+
 // Asks Oracle A about every trace of the cell; cases that differ in nothing that it looks at share its
 // answer.
 void addTruths(CellRun& cell);

@@ -18,6 +18,7 @@ KitPaths kitPaths() {
           .mutants = root / "tests" / "mutants",
           .wheats = root / "tests" / "wheats",
           .battery = root / "tests" / "mutants" / "battery",
+          .gates = root / "tests" / "gates",
           .build = SSRKIT_BUILD_DIR};
 }
 

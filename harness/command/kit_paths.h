@@ -17,6 +17,7 @@ struct KitPaths {
   std::filesystem::path mutants;
   std::filesystem::path wheats;
   std::filesystem::path battery;  // what mutants are held against
+  std::filesystem::path gates;
   std::filesystem::path build;  // where the unit tests are
 };
 

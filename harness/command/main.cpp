@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "base/text.h"
+#include "command/bench_options.h"
 #include "command/bless.h"
 #include "command/compare.h"
 #include "command/compile.h"
@@ -201,6 +202,7 @@ int commandLine(int argc, char** argv) {
   ConformOptions conform;
   ConformMergeOptions conform_merge;
   MutateOptions mutate;
+  BenchOptions bench;
   CompileCommandOptions compile;
   BlessOptions bless;
   DevicesOptions devices;
@@ -211,11 +213,13 @@ int commandLine(int argc, char** argv) {
   conform.command = run.command;
   conform_merge.command = run.command;
   mutate.command = run.command;
+  bench.command = run.command;
   Command command;
   addRun(app, run, command);
   addTest(app, test, command);
   addCompare(app, compare, command);
   addConform(app, conform, conform_merge, command);
+  addBench(app, bench, command);
   addDevices(app, devices, command);
   addMutate(app, mutate, command);
   addCompile(app, compile, command);

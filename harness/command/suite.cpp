@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <future>
 #include <iterator>
 #include <utility>
 
 #include "base/check.h"
 #include "check/judge.h"
+#include "command/device_threads.h"
 #include "command/half_buffers.h"
 #include "command/scene_geometry.h"
 #include "command/suite_jobs.h"
 #include "frame/variants.h"
-#include "scene/defaults.h"
-#include "scene/find_scene.h"
 
 namespace ssrkit {
 
@@ -57,50 +55,14 @@ Expected<std::unique_ptr<Suite>> Suite::create(SuiteOptions options) {
   std::vector<std::string> ids = suite->options_.devices;
   ids.insert(ids.end(), suite->options_.further_devices.begin(), suite->options_.further_devices.end());
   for (const std::string& device : ids) {
-    const auto entry = findDevice(device);
+    const auto entry = deviceWithThreads(device);
     if (!entry) {
       return tl::make_unexpected(entry.error());
     }
-    suite->workers_.emplace(device, Worker(**entry, {.shader_root = suite->options_.shader_root}));
+    suite->workers_.emplace(device, Worker(*entry, {.shader_root = suite->options_.shader_root,
+                                                    .environment = suite->options_.environment_variables}));
   }
   return suite;
-}
-
-Expected<std::map<std::string, DeviceInfo>> Suite::devices() {
-  std::map<std::string, std::future<Expected<DeviceInfo>>> starting;
-  for (auto& [id, worker] : workers_) {
-    starting.emplace(id,
-                     std::async(std::launch::async, [&worker_ref = worker] { return worker_ref.info(); }));
-  }
-  std::map<std::string, DeviceInfo> infos;
-  for (auto& [id, future] : starting) {
-    auto info = future.get();
-    if (!info) {
-      return tl::make_unexpected(info.error());
-    }
-    infos.emplace(id, std::move(*info));
-  }
-  return infos;
-}
-
-Expected<SceneSource> Suite::source(const std::string& name_or_path,
-                                    const std::filesystem::path& scenes_root) {
-  const auto file = findScene(name_or_path, scenes_root);
-  if (!file) {
-    return tl::make_unexpected(file.error());
-  }
-  SceneSource source{
-      .name = file->stem().string(), .file = *file, .gbuffer = nullptr, .camera_name = "", .defaults = {}};
-  const std::filesystem::path defaults_file = defaultsFileOf(*file);
-  std::error_code ignored;
-  if (std::filesystem::exists(defaults_file, ignored)) {
-    const auto defaults = loadSceneDefaults(defaults_file);
-    if (!defaults) {
-      return tl::make_unexpected(defaults.error());
-    }
-    source.defaults = defaults->parameters;
-  }
-  return source;
 }
 
 // A variant that is an environment needs a process that its driver is loaded in.
@@ -113,10 +75,10 @@ Worker& Suite::workerFor(const std::string& device, const std::string& variant) 
   if (const auto found = workers_of_variants_.find(key); found != workers_of_variants_.end()) {
     return found->second;
   }
-  const auto entry = findDevice(device);
+  const auto entry = deviceWithThreads(device);
   SSRKIT_CHECK(entry.has_value());
   WorkerOptions options{.shader_root = options_.shader_root, .environment = (*row)->environment};
-  return workers_of_variants_.emplace(key, Worker(**entry, std::move(options))).first->second;
+  return workers_of_variants_.emplace(key, Worker(*entry, std::move(options))).first->second;
 }
 
 void Suite::runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
@@ -128,7 +90,8 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
   cell.variant = job.variant;
   for (const TestCase& test_case : casesOf(test, job.variant)) {
     cell.cases.push_back(test_case.name);
-    cell.case_of_trace.insert(cell.case_of_trace.end(), test.stages.size(), test_case.name);
+    cell.case_of_trace.insert(cell.case_of_trace.end(), test.stages.size() + options_.peers.size(),
+                              test_case.name);
   }
   if (options_.progress) {
     options_.progress(fmt::format("{} {} on {}", test.id, job.id, device));
@@ -177,6 +140,9 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
         runOverInput(test, devices, job, run);
       }
     }
+  }
+  for (int part = 1; part < options_.parts; ++part) {
+    runAgain(test, source, part, run);
   }
   const bool wants_oracle = options_.always_oracle || needsOracle(test);
   const bool wants_depth = needsGeometry(test, false);

@@ -45,14 +45,23 @@ struct SceneRun {
 struct SuiteOptions {
   std::filesystem::path shader_root;
   std::filesystem::path scenes_root;
-  std::filesystem::path goldens_root;        // where the truth `golden` is looked up
-  std::vector<std::string> devices;          // the run's, where a test names none
+  std::filesystem::path goldens_root;  // where the truth `golden` is looked up
+  // The run's, where a test names none. "vk-lavapipe@1" is the device with one thread (Mesa's
+  // LP_NUM_THREADS).
+  std::vector<std::string> devices;
   std::vector<std::string> further_devices;  // those that tests name themselves
   Size size;                                 // the run's, where a test names none
   std::string mirror_material;
   std::optional<EnvironmentChoice> environment;
   std::vector<ShaderReplacement> replacements;
   JobLimits limits;
+  // Into so many parts a test's rounds are divided. The jobs of a test take turns, part by part, so that what
+  // they cost may be compared round by round also between devices and sizes.
+  int parts = 1;
+  // Traced after the stages, with each case's parameters.
+  std::vector<PeerShader> peers;
+  // Over the devices' own environment, for every worker.
+  std::vector<std::pair<std::string, std::string>> environment_variables;
   bool always_oracle = false;
   bool wants_ledger = false;
   bool geometry_of_first_device = false;  // Oracle B too, over the first device's G-buffer
@@ -93,6 +102,7 @@ class Suite {
   explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
   [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
   [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
+  void runAgain(const TestFile& test, const SceneSource& source, int part, SceneRun& run);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
                SceneRun& run);
   void runOverInput(const TestFile& test, const std::vector<std::string>& devices, Job job, SceneRun& run);

@@ -40,6 +40,10 @@ std::vector<TestCase> casesOf(const TestFile& test, const std::string& variant) 
   return cases;
 }
 
+int roundsOfPart(int rounds, int part, int parts) {
+  return rounds * (part + 1) / parts - rounds * part / parts;
+}
+
 Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& options, Size size,
            const std::string& variant) {
   Job job;
@@ -54,7 +58,7 @@ Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& 
   job.size = size;
   job.frame = test.frame;
   job.sequence = sequenceOf(test);
-  job.timing.rounds = test.rounds;
+  job.timing.rounds = roundsOfPart(test.rounds, 0, options.parts);
   job.replacements = options.replacements;
   job.shader_root = options.shader_root;
   for (const TestCase& test_case : casesOf(test, variant)) {
@@ -65,6 +69,13 @@ Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& 
       job.traces.push_back({.stage = name,
                             .parameters = askedParameters(source.defaults, **stage, test_case.parameters),
                             .technique = test_case.technique});
+    }
+    for (const PeerShader& peer : options.peers) {
+      job.traces.push_back(
+          {.stage = peer.name,
+           .parameters = askedParameters(source.defaults, stages().back(), test_case.parameters),
+           .technique = test_case.technique,
+           .peer = peer});
     }
   }
   if (source.gbuffer != nullptr) {

@@ -18,7 +18,11 @@ namespace ssrkit {
 [[nodiscard]] std::vector<std::string> variantsOf(const TestFile& test);
 [[nodiscard]] std::vector<TestCase> casesOf(const TestFile& test, const std::string& variant);
 
-// One job for all cases of one variant, which share a G-buffer: a trace for each case and stage, in order.
+// Of rounds that are divided into parts, those of one part: the parts differ by at most one round.
+[[nodiscard]] int roundsOfPart(int rounds, int part, int parts);
+
+// One job for all cases of one variant, which share a G-buffer: a trace for each case and stage, in order. It
+// is timed over the first part of the test's rounds.
 [[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& options,
                          Size size, const std::string& variant);
 

@@ -116,6 +116,14 @@ const std::vector<FrameImageRow>& table() {
       {.name = "previous_accumulated", .format = kRgba32f, .previous_of = "accumulated"},
       {.name = "previous_history_length", .format = kR32f, .previous_of = "history_length"},
       {.name = "composite", .format = kRgba16f, .channels = rgb},
+      // A peer's.
+      {.name = "peer_depth", .format = kR32f},
+      {.name = "peer_normal", .format = kRgba32f},
+      {.name = "peer_answer", .format = kRgba32f},
+      // What the rooflines compute, which nobody needs.
+      {.name = "roofline_dependent_fetch", .format = kR32f, .channels = {"V"}},
+      {.name = "roofline_fetch", .format = kR32f, .channels = {"V"}},
+      {.name = "roofline_alu", .format = kR32f, .channels = {"V"}},
   };
   return rows;
 }

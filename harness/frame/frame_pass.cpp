@@ -87,8 +87,13 @@ Expected<Targets> targetsOf(const FramePass& pass, FrameImages& images) {
   return targets;
 }
 
-UniformValues valuesOf(const FramePass& pass, const UniformValues& shared) {
+Expected<UniformValues> valuesOf(const FramePass& pass, const UniformValues& shared) {
   UniformValues values = shared;
+  for (const auto& [name, existing] : pass.values) {
+    if (const auto given = values.alias(name, shared, existing); !given) {
+      return tl::make_unexpected(given.error());
+    }
+  }
   for (const auto& [name, constant] : pass.constants) {
     std::visit([&values, &uniform = name](auto value) { values.set(uniform, value); }, constant);
   }
@@ -179,9 +184,12 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
   if (!made) {
     return tl::make_unexpected(made.error());
   }
-  const UniformValues own_values = valuesOf(pass.pass, values);
+  const auto own_values = valuesOf(pass.pass, values);
+  if (!own_values) {
+    return tl::make_unexpected(own_values.error());
+  }
   if (pass.pass.fills_mips) {
-    return drawMips(device, pass, *targets->colour.front().image, *aliases, images, own_values);
+    return drawMips(device, pass, *targets->colour.front().image, *aliases, images, *own_values);
   }
   const Size size = targets->colour.front().image->desc().size;
   auto time = drawFullScreen(device, *pass.program,
@@ -190,7 +198,7 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
                               .depth = targets->depth,
                               .viewport = {0, 0, size.width, size.height},
                               .aliases = *aliases},
-                             images, own_values);
+                             images, *own_values);
   for (std::size_t i = 0; time && i < pass.pass.swaps_with.size(); ++i) {
     images.swap(pass.pass.outputs[i], pass.pass.swaps_with[i]);
   }

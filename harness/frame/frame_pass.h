@@ -3,7 +3,6 @@
 
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/error.h"
@@ -11,10 +10,9 @@
 #include "frame/frame_images.h"
 #include "frame/programs.h"
 #include "frame/progress.h"
+#include "frame/uniform_values.h"
 
 namespace ssrkit {
-
-using UniformConstant = std::variant<int, double>;
 
 struct FramePass {
   std::string name;                  // in reports and for --replace
@@ -32,6 +30,7 @@ struct FramePass {
   std::string depth = {};
   // Of its outputs and its depth: what is cleared to the rows' values before it is drawn.
   std::vector<std::string> clears = {};
+  std::map<std::string, std::string> values = {};  // uniforms that have the kit's value of another name
 };
 
 // A pass with its program.

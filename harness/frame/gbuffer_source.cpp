@@ -95,6 +95,7 @@ void setCameraUniforms(UniformValues& values, const Camera& camera) {
   values.set("px_offset", projection.px_offset);
   values.set("view_per_px", 1.0 / projection.px_scale);
   values.set("near_m", camera.near_m);
+  values.set("far_m", camera.far_m);
   values.set("clip_from_view", camera.clip_from_view);
   values.set("view_from_world", camera.view_from_world);
   values.set("world_from_view", glm::inverse(camera.view_from_world));

@@ -9,7 +9,9 @@
 
 #include "base/size.h"
 #include "device/device.h"
+#include "frame/peer.h"
 #include "frame/sequence.h"
+#include "frame/setup_times.h"
 #include "image/image.h"
 #include "image/ray_record.h"
 #include "scene/scene.h"
@@ -23,6 +25,7 @@ struct TraceRequest {
   std::string stage;  // a row of frame/stages.h: "naive", "refined", "dda", "hiz", "walk"
   TraceParameters parameters;
   std::string technique = "mirror";  // a row of frame/techniques.h; empty: the trace alone, no picture
+  std::optional<PeerShader> peer;    // in the place of a stage; `stage` is then its name
 };
 
 // Times passes against each other: `rounds` interleaved runs of the frame and all of the job's traces after
@@ -81,6 +84,7 @@ struct JobResult {
       images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
   std::vector<TraceResult> traces;
   std::vector<PassReport> frame_passes;  // G-buffer and the passes of the frame's kind
+  SetupTimes setup;                      // of the programs that no earlier job had made
   std::vector<std::string> notes;        // the scene's
   std::vector<std::string> messages;     // driver and validation; any one fails the job
 };

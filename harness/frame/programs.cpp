@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "device/pass_clock.h"
 
 namespace ssrkit {
 
@@ -77,6 +78,7 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
                                                   ? replacement->second
                                                   : std::filesystem::path(pass.fragment_shader);
   const CompileOptions options{.form = settings.form, .use_cache = true};
+  const PassClock compiling;
   const auto vertex = compileShader({.root = settings.shader_root,
                                      .entry = pass.vertex_shader,
                                      .stage = ShaderStage::kVertex,
@@ -91,6 +93,7 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
   if (!fragment) {
     return tl::make_unexpected(fragment.error());
   }
+  times_.compile_ns += compiling.elapsed().wall_ns;
   const std::string shader = fragment_file.string();
   if (const auto checked = checkOutputs(pass, fragment->interface, shader); !checked) {
     return tl::make_unexpected(checked.error());
@@ -123,7 +126,9 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
   if (program.uniform_block) {
     desc.uniform_bindings.push_back(program.uniform_block->binding);
   }
+  const PassClock linking;
   auto device_program = device_.createProgram(desc);
+  times_.pipeline_ns += linking.elapsed().wall_ns;
   if (!device_program) {
     return tl::make_unexpected(device_program.error());
   }

@@ -7,11 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "device/device.h"
 #include "frame/frame_images.h"
+#include "frame/setup_times.h"
 #include "frame/uniform_values.h"
 #include "shader/compiler.h"
 
@@ -49,11 +51,15 @@ class Programs {
   // Compiles at the first use. Errors name the author's file and line.
   [[nodiscard]] Expected<const Program*> get(const PassRow& pass, const CompileSettings& settings);
 
+  // Of every program made since the last call.
+  [[nodiscard]] SetupTimes takeTimes() { return std::exchange(times_, {}); }
+
  private:
   [[nodiscard]] Expected<Program> make(const PassRow& pass, const CompileSettings& settings);
 
   Device& device_;
   ShaderTarget target_;
+  SetupTimes times_;
   // By everything that a program is made of; a replaced file is compiled anew for each job, it may have been
   // edited.
   std::map<std::string, Program> kept_;

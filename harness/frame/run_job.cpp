@@ -211,6 +211,7 @@ Expected<JobResult> JobRunner::run(const Job& job, const Progress& progress) {
   if (done) {
     done = impl.readFrame(job, result);
   }
+  result.setup = impl.programs.takeTimes();
   result.messages = impl.device.drainMessages();
   if (!done) {
     Error error = done.error();

@@ -6,6 +6,7 @@
 #include "frame/composite_techniques.h"
 #include "frame/find_row.h"
 #include "frame/packed_techniques.h"
+#include "frame/roofline_techniques.h"
 #include "frame/rough_techniques.h"
 #include "frame/temporal_techniques.h"
 
@@ -24,7 +25,7 @@ std::vector<Technique> joined(std::vector<std::vector<Technique>> families) {
 const std::vector<Technique>& table() {
   static const std::vector<Technique> rows =
       joined({compositeTechniques(), filterTechniques(), packedTechniques(), roughTechniques(),
-              temporalTechniques()});
+              temporalTechniques(), rooflineTechniques()});
   return rows;
 }
 

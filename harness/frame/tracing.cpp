@@ -63,7 +63,8 @@ Expected<void> spreadRays(Device& device, const FrameImages& images, int stride,
 
 Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings, const Job& job,
                                    const TraceRequest& request, const Progress& progress) {
-  const auto stage = findStage(request.stage);
+  // A peer is no row; what the parameters leave open is the exact walk's.
+  const auto stage = findStage(request.peer ? "walk" : request.stage);
   if (!stage) {
     return tl::make_unexpected(stage.error());
   }
@@ -75,10 +76,22 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   tracing.stage_ = request.stage;
   tracing.parameters_ = withStageDefaults(request.parameters, **stage, job.size);
   tracing.technique_ = std::move(*technique);
-  auto trace = preparePasses(
-      programs, settings, tracePasses(shaderOf(**stage, tracing.parameters_), tracing.technique_), progress);
+  std::vector<FramePass> march = tracePasses(shaderOf(**stage, tracing.parameters_), tracing.technique_);
+  if (request.peer) {
+    march = {peerTrace(*request.peer)};
+    std::vector<FramePass>& before = tracing.technique_.before_trace;
+    before.insert(before.begin(), peerInputs(*request.peer));
+    std::vector<FramePass>& after = tracing.technique_.after_sample;
+    after.insert(after.begin(), peerAnswer(*request.peer));
+  }
+  auto trace = preparePasses(programs, settings, march, progress);
   if (!trace) {
     return tl::make_unexpected(trace.error());
+  }
+  if (request.peer) {
+    if (const auto checked = checkPeerNames(*request.peer, *trace->back().program); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
   }
   tracing.trace_ = std::move(*trace);
   tracing.layout_ = pyramidLayoutOf(*tracing.trace_.back().program);

@@ -62,6 +62,23 @@ void UniformValues::set(const std::string& name, const std::vector<glm::dvec4>& 
   setFloats(name, 4, 1, static_cast<std::uint32_t>(values.size()), glm::value_ptr(values.front()));
 }
 
+Expected<void> UniformValues::alias(const std::string& name, const UniformValues& others,
+                                    const std::string& existing) {
+  const auto found = others.values_.find(existing);
+  if (found == others.values_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, value] : others.values_) {
+      names.push_back(known);
+    }
+    const auto nearest = nearestName(existing, names);
+    return inputError(
+        fmt::format("give '{}' a value", name), fmt::format("the kit has no value called '{}'", existing), "",
+        nearest ? fmt::format("did you mean '{}'?", *nearest) : "it offers " + joinNames(names));
+  }
+  values_[name] = found->second;
+  return {};
+}
+
 Expected<std::vector<std::byte>> UniformValues::pack(const UniformBlock& block,
                                                      const std::string& shader) const {
   std::vector<std::byte> bytes(block.size_bytes);

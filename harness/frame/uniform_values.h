@@ -5,12 +5,16 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/error.h"
 #include "shader/interface.h"
 
 namespace ssrkit {
+
+// A whole number or not, as shaders tell them apart.
+using UniformConstant = std::variant<int, double>;
 
 class UniformValues {
  public:
@@ -20,6 +24,10 @@ class UniformValues {
   void set(const std::string& name, glm::dvec3 value);
   void set(const std::string& name, const glm::dmat4& value);
   void set(const std::string& name, const std::vector<glm::dvec4>& values);
+
+  // Takes a value of `others` under another name. Fails when they have none of the first one.
+  [[nodiscard]] Expected<void> alias(const std::string& name, const UniformValues& others,
+                                     const std::string& existing);
 
   // The block's bytes. Fails on a member that has no value here, or another type or size than the shader
   // says; `shader` names the file for the sentence.

@@ -89,21 +89,35 @@ EShLanguage languageOf(ShaderStage stage) {
   return stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
 }
 
-EShMessages messagesFor(const FrontEndOptions& options) {
+EShMessages messagesFor(const FrontEndOptions& options, bool is_hlsl) {
   unsigned flags = EShMsgSpvRules | EShMsgCascadingErrors;
   flags |= options.target == ShaderTarget::kVulkan ? EShMsgVulkanRules : 0U;
+  flags |= is_hlsl ? EShMsgReadHlsl : 0U;
   flags |= options.line_numbers ? EShMsgDebugInfo : 0U;
   return static_cast<EShMessages>(flags);
 }
 
-void setEnvironment(glslang::TShader& shader, const FrontEndOptions& options) {
+void setEnvironment(glslang::TShader& shader, const FrontEndOptions& options, bool is_hlsl) {
   constexpr int kDialectVersion = 100;
   const bool vulkan = options.target == ShaderTarget::kVulkan;
   const glslang::EShClient client = vulkan ? glslang::EShClientVulkan : glslang::EShClientOpenGL;
-  shader.setEnvInput(glslang::EShSourceGlsl, languageOf(options.stage), client, kDialectVersion);
+  const glslang::EShSource language = is_hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl;
+  shader.setEnvInput(language, languageOf(options.stage), client, kDialectVersion);
   shader.setEnvClient(client, vulkan ? glslang::EShTargetVulkan_1_1 : glslang::EShTargetOpenGL_450);
   shader.setEnvTarget(glslang::EShTargetSpv, vulkan ? glslang::EShTargetSpv_1_3 : glslang::EShTargetSpv_1_0);
   shader.setEnhancedMsgs();
+}
+
+// HLSL's textures and samplers become combined ones, whose sampling the kit sets; registers t0, t1, ... and
+// b0 get bindings that do not share a number.
+void setHlslBindings(glslang::TShader& shader) {
+  constexpr unsigned kFirstTexture = 16;
+  shader.setEntryPoint("main");
+  shader.setSourceEntryPoint("main");
+  shader.setTextureSamplerTransformMode(EShTexSampTransUpgradeTextureRemoveSampler);
+  shader.setAutoMapBindings(true);
+  shader.setShiftBinding(glslang::EResTexture, kFirstTexture);
+  shader.setShiftBinding(glslang::EResSampler, kFirstTexture);
 }
 
 std::vector<std::uint32_t> emit(const glslang::TIntermediate& intermediate, bool line_numbers) {
@@ -134,16 +148,20 @@ Expected<std::vector<std::uint32_t>> translateToSpirv(const SourceTree& tree, co
   glslang::TShader shader(languageOf(options.stage));
   shader.setStringsWithLengthsAndNames(&begin, &size, &name_begin, 1);
   shader.setPreamble(options.preamble.c_str());
-  setEnvironment(shader, options);
+  const bool is_hlsl = isHlsl(tree.files.front().path);
+  setEnvironment(shader, options, is_hlsl);
+  if (is_hlsl) {
+    setHlslBindings(shader);
+  }
   TreeIncluder includer(tree);
   constexpr int kDefaultVersion = 450;
-  const EShMessages messages = messagesFor(options);
+  const EShMessages messages = messagesFor(options, is_hlsl);
   if (!shader.parse(GetDefaultResources(), kDefaultVersion, ECoreProfile, false, false, messages, includer)) {
     return tl::make_unexpected(errorFromLog(shader.getInfoLog(), tree, attempted));
   }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(messages)) {
+  if (!program.link(messages) || (is_hlsl && !program.mapIO())) {
     return tl::make_unexpected(errorFromLog(program.getInfoLog(), tree, attempted));
   }
   return emit(*program.getIntermediate(languageOf(options.stage)), options.line_numbers);

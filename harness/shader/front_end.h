@@ -18,6 +18,9 @@ struct FrontEndOptions {
   bool line_numbers = false;  // OpLine in the module; Mesa's GL refuses such modules, so only for looking at
 };
 
+// By its name: it ends in .hlsl. Anything else is GLSL.
+[[nodiscard]] bool isHlsl(const std::filesystem::path& file);
+
 // What stands before line 1 of every shader, without moving the author's line numbers: #include is switched
 // on, SSR_VERTEX_INDEX is the target's vertex index, and the defines follow. Fails on a define that is no
 // name.

@@ -24,11 +24,17 @@ bool staysOnItsLine(const std::string& value) {
 
 }  // namespace
 
+bool isHlsl(const std::filesystem::path& file) {
+  return file.extension() == ".hlsl";
+}
+
 Expected<std::string> makePreamble(const ShaderSource& source, ShaderTarget target,
                                    const std::string& attempted) {
-  std::string preamble = "#extension GL_GOOGLE_include_directive : require\n";
-  preamble += fmt::format("#define SSR_VERTEX_INDEX {}\n",
-                          target == ShaderTarget::kVulkan ? "gl_VertexIndex" : "gl_VertexID");
+  std::string preamble = "#define SSR_HLSL 1\n";
+  if (!isHlsl(source.entry)) {
+    preamble = fmt::format("#extension GL_GOOGLE_include_directive : require\n#define SSR_VERTEX_INDEX {}\n",
+                           target == ShaderTarget::kVulkan ? "gl_VertexIndex" : "gl_VertexID");
+  }
   for (const auto& [name, value] : source.defines) {
     if (!isIdentifier(name) || name.starts_with("gl_") || !staysOnItsLine(value)) {
       return inputError(attempted,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -34,6 +35,7 @@ using JobOutcome = std::variant<JobResult, Error, WorkerDeath>;
 struct DeviceInfo {
   DeviceIdentity identity;
   DeviceTraits traits;
+  std::int64_t create_ns = 0;  // wall time of making the device: driver, context
 };
 
 struct WorkerOptions {

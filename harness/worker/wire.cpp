@@ -1,6 +1,9 @@
 #include "worker/wire.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <variant>
 
 #include "worker/archive.h"
 
@@ -71,9 +74,29 @@ void fields(Archive& archive, T& p) {
   archive.require(p.form == TracerForm::kTextbook || p.form == TracerForm::kTuned);
 }
 
+// Numbers of a peer's own: a whole one or not, and its value.
+template <class Archive, Is<UniformConstant> T>
+void fields(Archive& archive, T& constant) {
+  bool is_whole = std::holds_alternative<int>(constant);
+  double value = std::visit([](auto number) { return static_cast<double>(number); }, constant);
+  archive(is_whole, value);
+  constexpr std::numeric_limits<int> kInts;
+  archive.require(!is_whole || (value >= kInts.min() && value <= kInts.max()));
+  if constexpr (!std::is_const_v<T>) {
+    is_whole = is_whole && value >= kInts.min() && value <= kInts.max();
+    constant = is_whole ? UniformConstant(static_cast<int>(value)) : UniformConstant(value);
+  }
+}
+
+template <class Archive, Is<PeerShader> T>
+void fields(Archive& archive, T& peer) {
+  archive(peer.name, peer.file, peer.images, peer.values, peer.constants, peer.depth, peer.normal,
+          peer.answer, peer.hit_channel, peer.lookups_channel);
+}
+
 template <class Archive, Is<TraceRequest> T>
 void fields(Archive& archive, T& request) {
-  archive(request.stage, request.parameters, request.technique);
+  archive(request.stage, request.parameters, request.technique, request.peer);
 }
 
 template <class Archive, Is<ShaderReplacement> T>
@@ -113,9 +136,15 @@ void fields(Archive& archive, T& trace) {
   archive(trace.stage, trace.technique, trace.parameters, trace.record, trace.images, trace.passes);
 }
 
+template <class Archive, Is<SetupTimes> T>
+void fields(Archive& archive, T& times) {
+  archive(times.compile_ns, times.pipeline_ns);
+}
+
 template <class Archive, Is<JobResult> T>
 void fields(Archive& archive, T& result) {
-  archive(result.camera, result.images, result.traces, result.frame_passes, result.notes, result.messages);
+  archive(result.camera, result.images, result.traces, result.frame_passes, result.setup, result.notes,
+          result.messages);
 }
 
 template <class Archive, Is<Error> T>
@@ -128,7 +157,7 @@ template <class Archive, Is<DeviceInfo> T>
 void fields(Archive& archive, T& info) {
   auto& identity = info.identity;
   archive(identity.id, identity.api, identity.driver, identity.version, identity.cpu, identity.cpu_features);
-  archive(info.traits.loop_cap, info.traits.device_timer_usable, info.traits.shader_input);
+  archive(info.traits.loop_cap, info.traits.device_timer_usable, info.traits.shader_input, info.create_ns);
 }
 
 namespace {

@@ -1,3 +1,4 @@
+#include "device/pass_clock.h"
 #include "device/registry.h"
 #include "device/traits.h"
 #include "frame/run_job.h"
@@ -20,7 +21,9 @@ Expected<DeviceInfo> open(OpenDevice& open_device, const std::string& device_id,
     return tl::make_unexpected(entry.error());
   }
   progress("create the device");
+  const PassClock clock;
   Expected<std::unique_ptr<Device>> device = (*entry)->create();
+  const std::int64_t create_ns = clock.elapsed().wall_ns;
   if (!device) {
     return tl::make_unexpected(device.error());
   }
@@ -31,7 +34,7 @@ Expected<DeviceInfo> open(OpenDevice& open_device, const std::string& device_id,
   }
   open_device.device = std::move(*device);
   open_device.runner = std::make_unique<JobRunner>(*open_device.device, (*entry)->target);
-  return DeviceInfo{open_device.device->identity(), *traits};
+  return DeviceInfo{open_device.device->identity(), *traits, create_ns};
 }
 
 }  // namespace

@@ -89,5 +89,26 @@ TEST(MissLookupRatio, SaysNothingByAHandfulOfRays) {
             "error");
 }
 
+TEST(P95LookupRatio, IsOfTheTwoPercentiles) {
+  Bench bench;
+  // 95 of 100 rays at 10 lookups and 5 at 900, against 40: the tail beyond the percentile does not count.
+  RayRecord finite = shiftedRecord({10, 10});
+  for (std::size_t i = 0; i < 5; ++i) {
+    finite.rays[i].lookups = 900;
+  }
+  RayRecord infinite = shiftedRecord({10, 10});
+  for (RayHit& ray : infinite.rays) {
+    ray.lookups = 40;
+  }
+  bench.add("hiz", finite, "gl-osmesa", "t_0.3m");
+  bench.add("hiz", infinite, "gl-osmesa", "t_inf");
+  Expectation ratio = expectation("metric = \"mean_lookups\"\nmax = 2");
+  ratio.metric = Metric::kP95LookupRatio;
+  ratio.truth = {TruthKind::kCase, "t_inf"};
+  EXPECT_EQ(bench.check(ratio).value, 0.25);
+  ratio.max = 0.2;
+  EXPECT_EQ(outcomeName(bench.check(ratio)), "fail");
+}
+
 }  // namespace
 }  // namespace ssrkit

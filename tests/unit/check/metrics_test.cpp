@@ -303,5 +303,19 @@ TEST(MaskFlips, AreCountedPerMillionPixels) {
   EXPECT_EQ(outcomeName(bench.check(one)), "fail");
 }
 
+TEST(FoundShare, CountsTheOraclesHitsWithinTwoPixels) {
+  Bench bench;
+  RayRecord yours = shiftedRecord({8, 8});
+  const RayRecord oracle = yours;
+  yours.rays[0].px_x += 2.0F;                     // found
+  yours.rays[1].px_x += 2.25F;                    // elsewhere
+  yours.rays[2] = without(RayClass::kOffscreen);  // missed
+  bench.setOracle(bench.add("hiz", yours), oracle);
+  const CheckResult check = bench.check(expectation("metric = \"found_share\"\nmin = 0.96875"));
+  EXPECT_EQ(check.value, 62.0 / 64.0);
+  EXPECT_EQ(outcomeName(check), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"found_share\"\nmin = 0.97"))), "fail");
+}
+
 }  // namespace
 }  // namespace ssrkit

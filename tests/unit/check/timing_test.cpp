@@ -92,6 +92,54 @@ TEST(PairedRatio, NoiseLargerThanTheDistanceIsInconclusive) {
   EXPECT_GE(countOutcome(Outcome::kInconclusive, 0.2, 0.3, 0.2), 980U);
 }
 
+TEST(MedianInterval, RunsBetweenTheSameOrderStatistics) {
+  std::vector<double> samples_ms;
+  for (int i = 15; i >= 1; --i) {
+    samples_ms.push_back(i);
+  }
+  const auto interval = medianInterval(samples_ms);
+  ASSERT_TRUE(interval.has_value());
+  EXPECT_EQ(interval->median, 8.0);
+  EXPECT_EQ(interval->low, 3.0);
+  EXPECT_EQ(interval->high, 13.0);
+  EXPECT_FALSE(medianInterval(std::span(samples_ms).first(7)).has_value());
+}
+
+TEST(UnpairedRatio, EachSideMayLieAnywhereInItsOwnInterval) {
+  // 99.5 % each: P(at most 2 of 15 below the median) = 121/32768 = 0.37 % is more than the 0.25 % that each
+  // tail may have, P(at most 1) = 0.05 % is not. So 2 are left out on each side.
+  std::vector<double> numerators;
+  for (int i = 1; i <= 15; ++i) {
+    numerators.push_back(i);
+  }
+  const std::vector<double> twos(15, 2.0);
+  const auto ratio = unpairedRatio(numerators, twos);
+  ASSERT_TRUE(ratio.has_value());
+  EXPECT_EQ(ratio->median, 4.0);
+  EXPECT_EQ(ratio->low, 1.0);
+  EXPECT_EQ(ratio->high, 7.0);
+  const auto turned = unpairedRatio(twos, numerators);
+  ASSERT_TRUE(turned.has_value());
+  EXPECT_EQ(turned->low, 2.0 / 14.0);
+  EXPECT_EQ(turned->high, 1.0);
+}
+
+TEST(UnpairedRatio, HoldsTheTrueRatioAsOftenAsItSays) {
+  constexpr int kTrials = 2000;
+  int held = 0;
+  for (unsigned seed = 0; seed < kTrials; ++seed) {
+    std::mt19937 random(seed);
+    std::lognormal_distribution<double> noise(0.0, 0.2);
+    std::vector<double> now(15);
+    std::vector<double> then(15);
+    std::ranges::generate(now, [&] { return 1.3 * noise(random); });
+    std::ranges::generate(then, [&] { return noise(random); });
+    const RatioInterval ratio = unpairedRatio(now, then).value();
+    held += ratio.low <= 1.3 && ratio.high >= 1.3 ? 1 : 0;
+  }
+  EXPECT_GE(held, kTrials * 99 / 100);
+}
+
 TEST(JudgeRatio, TheWholeIntervalMustHoldOrBreakTheBound) {
   EXPECT_EQ(judgeRatio({0.19, 0.18, 0.2, 0.1, 0.3}, std::nullopt, 0.2, 0.05), Outcome::kPass);
   EXPECT_EQ(judgeRatio({0.19, 0.18, 0.2001, 0.1, 0.3}, std::nullopt, 0.2, 0.05), Outcome::kInconclusive);
@@ -179,6 +227,57 @@ TEST(PassCpuShare, MayTakeAllPasses) {
   const CheckResult check = bench.check(expectation(
       "metric = \"pass_cpu_share\"\npasses = [\"trace\"]\nover = [\"all\"]\nstages = [\"hiz\"]\nmax = 0.8"));
   EXPECT_EQ(check.value, 0.8);
+}
+
+TEST(CpuRatio, MayBeHeldAgainstAnotherDevice) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord({8, 8}), "gl-osmesa").times = {
+      {"trace", samples(std::vector<double>(15, 11.0))}};
+  bench.add("hiz", shiftedRecord({8, 8}), "vk-lavapipe").times = {
+      {"trace", samples(std::vector<double>(15, 10.0))}};
+  const std::string cross = "metric = \"cpu_ratio\"\ntruth = \"cross:vk-lavapipe\"\n";
+  EXPECT_EQ(outcomeName(bench.check(expectation(cross + "max = 1.1"))), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(cross + "max = 1.04"))), "fail");
+}
+
+TEST(WallRatio, LooksAtTheOtherClock) {
+  Bench bench;
+  std::vector<TimeSample> one_thread(15, {.cpu_ns = 10.0, .wall_ns = 10.0});
+  std::vector<TimeSample> two_threads(15, {.cpu_ns = 10.0, .wall_ns = 5.0});
+  bench.add("hiz", shiftedRecord({8, 8}), "vk-lavapipe@1").times = {{"trace", one_thread}};
+  bench.add("hiz", shiftedRecord({8, 8}), "vk-lavapipe@2").times = {{"trace", two_threads}};
+  const CheckResult check =
+      bench.check(expectation("metric = \"wall_ratio\"\ntruth = \"cross:vk-lavapipe@2\"\nmin = 1.85"));
+  EXPECT_EQ(check.value, 2.0);
+  EXPECT_EQ(outcomeName(check), "pass");
+}
+
+TEST(PixelCpuRatio, DividesByThePixels) {
+  Bench bench;
+  bench.add("hiz", shiftedRecord({16, 16})).times = {{"trace", samples(std::vector<double>(15, 48.0))}};
+  bench.add("hiz", shiftedRecord({8, 8})).times = {{"trace", samples(std::vector<double>(15, 10.0))}};
+  // Four times the pixels at 4.8 times the cost.
+  const CheckResult check =
+      bench.check(expectation("metric = \"pixel_cpu_ratio\"\ntruth = \"size:8x8\"\nmax = 1.25"));
+  EXPECT_EQ(check.value, 1.2);
+  EXPECT_EQ(outcomeName(check), "pass");
+}
+
+TEST(RooflineMultiple, IsOverTheLookupsAsFetchesAndThePixelsAsWrites) {
+  Bench bench;
+  // 64 rays of 10 lookups; a pass of 32 fetches at each of the 64 pixels took 2048 ns: a nanosecond each. So
+  // the limit is 640 ns of fetches and 60 of writes.
+  bench.add("hiz", shiftedRecord({8, 8})).times = {
+      {"trace", samples(std::vector<double>(15, 2100.0))},
+      {"bench_dependent_fetch", samples(std::vector<double>(15, 2048.0))},
+      {"bench_write", samples(std::vector<double>(15, 60.0))}};
+  const std::string multiple = "metric = \"roofline_multiple\"\nstages = [\"hiz\"]\n";
+  const CheckResult check = bench.check(expectation(multiple + "max = 3"));
+  EXPECT_EQ(check.value, 3.0);
+  EXPECT_EQ(outcomeName(check), "pass");
+  EXPECT_EQ(outcomeName(bench.check(expectation(multiple + "max = 2.5"))), "fail");
+  bench.answers[0].times.erase("bench_write");
+  EXPECT_EQ(outcomeName(bench.check(expectation(multiple + "max = 3"))), "error");
 }
 
 }  // namespace

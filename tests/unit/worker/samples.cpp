@@ -112,6 +112,16 @@ Job sampleJob() {
   job.frame = "full";
   job.sequence = {.time_s = 1.0 / 3.0, .frame_count = 5, .time_step_s = 0.1};
   job.traces = {{"hiz", sampleParameters(), "replace"}, {"dda", {}, ""}};
+  job.traces[1].peer = PeerShader{.name = "somebody's",
+                                  .file = "peers/a.hlsl",
+                                  .images = {{"depthTex", "depth"}},
+                                  .values = {{"viewport", "size_px"}},
+                                  .constants = {{"steps", 64}, {"bias", 0.1}},
+                                  .depth = PeerDepth::kWindowReversed,
+                                  .normal = PeerNormal::kForward,
+                                  .answer = PeerAnswer::kTexel,
+                                  .hit_channel = 2,
+                                  .lookups_channel = 1};
   job.timing.rounds = 11;
   job.replacements = {{"trace_hiz", "/tmp/mine.frag"}};
   job.shader_root = "shaders";
@@ -135,6 +145,7 @@ JobResult sampleResult() {
   result.traces = {trace, TraceResult{}};
   result.traces[1].images["composite"] = sampleImage({3, 2}, {"R", "G", "B"});
   result.frame_passes = sampleReports();
+  result.setup = {.compile_ns = 123, .pipeline_ns = -456};
   result.notes = {"a light was added", ""};
   result.messages = {"driver said \x80"};
   return result;
@@ -178,7 +189,8 @@ bool sameBits(const std::vector<PassReport>& a, const std::vector<PassReport>& b
 
 bool sameBits(const Job& a, const Job& b) {
   const auto same_trace = [](const TraceRequest& x, const TraceRequest& y) {
-    return x.stage == y.stage && sameBits(x.parameters, y.parameters) && x.technique == y.technique;
+    return x.stage == y.stage && sameBits(x.parameters, y.parameters) && x.technique == y.technique &&
+           x.peer == y.peer;
   };
   const auto same_replacement = [](const ShaderReplacement& x, const ShaderReplacement& y) {
     return x.pass == y.pass && x.file == y.file;
@@ -201,7 +213,8 @@ bool sameBits(const JobResult& a, const JobResult& b) {
   };
   return sameBits(a.camera, b.camera) && sameImages(a.images, b.images) &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&
-         sameBits(a.frame_passes, b.frame_passes) && a.notes == b.notes && a.messages == b.messages;
+         sameBits(a.frame_passes, b.frame_passes) && a.setup == b.setup && a.notes == b.notes &&
+         a.messages == b.messages;
 }
 
 }  // namespace ssrkit

@@ -67,7 +67,8 @@ TEST(Wire, AnErrorComesBackWhole) {
 TEST(Wire, IdentityAndTraitsComeBackWhole) {
   const DeviceInfo info{
       {"gl-osmesa", "OpenGL 4.5 core", "llvmpipe", "Mesa 22.3.6", "a cpu", {"avx2", "avx512f"}},
-      {65535, true, "SPIR-V"}};
+      {65535, true, "SPIR-V"},
+      789};
   const std::optional<DeviceInfo> copy = unpackInfo(packInfo(info).value());
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->identity.id, "gl-osmesa");
@@ -79,6 +80,7 @@ TEST(Wire, IdentityAndTraitsComeBackWhole) {
   EXPECT_EQ(copy->traits.loop_cap, 65535U);
   EXPECT_TRUE(copy->traits.device_timer_usable);
   EXPECT_EQ(copy->traits.shader_input, "SPIR-V");
+  EXPECT_EQ(copy->create_ns, 789);
 }
 
 TEST(Wire, APayloadOfAnotherKindIsRefused) {

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "check/read_expectations.h"
+#include "command/bench_work.h"
+#include "command/known_names.h"
+#include "scene/find_scene.h"
+
+namespace ssrkit {
+
+namespace {
+
+constexpr int kParts = 5;  // devices and sizes take turns so often
+constexpr int kMostNamedThreads = 2;
+
+// Gates may hold a device against itself with another number of threads.
+KnownNames namesForGates(const KitPaths& paths) {
+  KnownNames known = knownNames(paths);
+  const std::vector<std::string> plain = known.devices;
+  for (const std::string& device : plain) {
+    for (int threads = 1; threads <= kMostNamedThreads; ++threads) {
+      known.devices.push_back(fmt::format("{}@{}", device, threads));
+    }
+  }
+  return known;
+}
+
+std::vector<std::string> devicesOf(const std::vector<TestFile>& files,
+                                   const std::vector<std::string>& run_devices) {
+  std::set<std::string> devices;
+  for (const TestFile& file : files) {
+    const std::vector<std::string>& of_file = file.devices.empty() ? run_devices : file.devices;
+    devices.insert(of_file.begin(), of_file.end());
+  }
+  return {devices.begin(), devices.end()};
+}
+
+}  // namespace
+
+Expected<std::vector<CheckResult>> measureGates(const BenchWork& work) {
+  auto files = loadExpectations(work.paths.gates, namesForGates(work.paths));
+  if (!files) {
+    return tl::make_unexpected(files.error());
+  }
+  const auto suite = benchSuite(work, devicesOf(*files, work.request.devices), kParts);
+  if (!suite) {
+    return tl::make_unexpected(suite.error());
+  }
+  auto of_processes = measureProcessGates(work);
+  if (!of_processes) {
+    return of_processes;
+  }
+  std::vector<CheckResult> checks = std::move(*of_processes);
+  for (TestFile& file : *files) {
+    file.rounds = file.rounds > 0 ? work.options.rounds.value_or(file.rounds) : 0;
+    const bool all = file.scenes == std::vector<std::string>{"all"};
+    for (const std::string& scene : all ? builtInScenes(work.paths.scenes) : file.scenes) {
+      const auto source = Suite::source(scene, work.paths.scenes);
+      if (!source) {
+        return tl::make_unexpected(source.error());
+      }
+      const SceneRun run = (*suite)->run(file, *source);
+      checks.insert(checks.end(), run.checks.begin(), run.checks.end());
+    }
+  }
+  return checks;
+}
+
+}  // namespace ssrkit

@@ -1,0 +1,116 @@
+#include "command/process_cost.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+namespace ssrkit {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLook{20};
+constexpr double kMibPerKib = 1.0 / 1024.0;
+
+// Field 4 of /proc/PID/stat, after a name in brackets that may hold anything; 0 when the process is gone.
+pid_t parentOf(const std::filesystem::path& process) {
+  std::ifstream file(process / "stat");
+  std::string line;
+  std::getline(file, line);
+  const std::size_t name_end = line.rfind(')');
+  if (name_end == std::string::npos) {
+    return 0;
+  }
+  std::istringstream rest(line.substr(name_end + 1));
+  char state = 0;
+  pid_t parent = 0;
+  rest >> state >> parent;
+  return parent;
+}
+
+double memoryMib(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/smaps_rollup", process));
+  std::string word;
+  while (file >> word) {
+    if (word == "Pss:") {
+      double kib = 0.0;
+      file >> kib;
+      return kib * kMibPerKib;
+    }
+  }
+  return 0.0;
+}
+
+// Of the process and of everything that it has started.
+double treeMemoryMib(pid_t root) {
+  std::multimap<pid_t, pid_t> children;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", unreadable)) {
+    const std::string name = entry.path().filename().string();
+    if (std::ranges::all_of(name, [](unsigned char c) { return std::isdigit(c) != 0; })) {
+      children.emplace(parentOf(entry.path()), static_cast<pid_t>(std::stol(name)));
+    }
+  }
+  double sum = 0.0;
+  std::vector<pid_t> open = {root};
+  while (!open.empty()) {
+    const pid_t process = open.back();
+    open.pop_back();
+    sum += memoryMib(process);
+    const auto [first, last] = children.equal_range(process);
+    std::transform(first, last, std::back_inserter(open), [](const auto& child) { return child.second; });
+  }
+  return sum;
+}
+
+Expected<pid_t> start(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {"ssrkit"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  std::ranges::transform(words, std::back_inserter(pointers), [](std::string& word) { return word.data(); });
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
+    ::posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
+  }
+  pid_t process = 0;
+  const int error = ::posix_spawn(&process, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    return setupError("run the program", std::strerror(error));
+  }
+  return process;
+}
+
+}  // namespace
+
+Expected<ProcessCost> measureProcess(const std::vector<std::string>& arguments, bool wants_memory) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto process = start(arguments);
+  if (!process) {
+    return tl::make_unexpected(process.error());
+  }
+  ProcessCost cost;
+  int status = 0;
+  while (::waitpid(*process, &status, wants_memory ? WNOHANG : 0) == 0) {
+    cost.peak_memory_mib = std::max(cost.peak_memory_mib, treeMemoryMib(*process));
+    std::this_thread::sleep_for(kLook);
+  }
+  cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  cost.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return cost;
+}
+
+}  // namespace ssrkit
