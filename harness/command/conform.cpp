@@ -49,11 +49,18 @@ int printList(const ConformPlan& plan, bool json) {
   return 0;
 }
 
+// Every cell of every software device.
+bool isWhole(const ConformOptions& options) {
+  return options.devices.empty() && options.scenes.empty() && options.filters.empty() &&
+         options.excludes.empty() && options.rerun_failed.empty() && options.shard == "1/1";
+}
+
 MakeSuite suiteMaker(const ConformPlan& plan, const KitPaths& paths) {
   const std::vector<std::string> devices = devicesOf(plan);
   return [devices, paths] {
     return Suite::create({.shader_root = paths.shaders,
                           .scenes_root = paths.scenes,
+                          .goldens_root = paths.goldens,
                           .devices = devices,
                           .size = {64, 36},
                           .limits = {},
@@ -168,6 +175,7 @@ Expected<int> conformCommand(const ConformOptions& options) {
   }
   ConformReport report{.manifest = run.manifest,
                        .known_failures = *known,
+                       .is_whole = isWhole(options),
                        .command = options.command,
                        .out = options.out,
                        .json = options.json};
