@@ -95,7 +95,9 @@ Expected<void> meetDevices(Suite& suite, const ConformPlan& plan, Manifest& mani
     } else if (is_optional) {
       manifest.absent.emplace_back(id, sentence(info.error()));
     } else {
-      return tl::make_unexpected(info.error());
+      Error error = info.error();
+      error.attempted = fmt::format("use the device '{}': {}", id, error.attempted);
+      return tl::make_unexpected(std::move(error));
     }
   }
   return {};
