@@ -18,10 +18,12 @@ struct AnswerKey {
   std::string input;
   std::string variant;      // of a frame's, where no case was named
   bool names_case = false;  // by the truth
+  std::string shown_in;
 };
 
 AnswerKey keyOf(const Answer& answer) {
-  return {answer.stage, answer.case_name, answer.device, answer.size, answer.input, answer.variant, false};
+  return {answer.stage, answer.case_name, answer.device, answer.size,
+          answer.input, answer.variant,   false,         answer.shown_in};
 }
 
 // What the frame rendered does not depend on the tracing parameters, but on the job's variant.
@@ -33,7 +35,7 @@ const Answer* find(const Subject& subject, const AnswerKey& key) {
   const auto matches = [&](const Answer& answer) {
     const bool same_case = key.stage.empty() ? isFrameOf(answer, key) : answer.case_name == key.case_name;
     return answer.stage == key.stage && same_case && answer.device == key.device && answer.size == key.size &&
-           answer.input == key.input;
+           answer.input == key.input && answer.shown_in == key.shown_in;
   };
   const auto found = std::ranges::find_if(subject.pool, matches);
   return found == subject.pool.end() ? nullptr : &*found;

@@ -34,6 +34,8 @@ struct Answer {
   std::string input;                     // the device whose G-buffer was uploaded; empty: the device's own
   std::string variant;                   // of the job; empty: the plain one
   std::vector<std::string> frame_cases;  // of a frame (stage empty): the cases that share it; empty: all
+  std::string shown_in;  // the variant whose changed view it is in; empty: the scene's own view
+  bool is_made = false;  // out of another answer, to hold others against: it is not judged itself
   TraceParameters parameters;
   const RayRecord* record = nullptr;
   const OracleInput* oracle_input = nullptr;   // over the very depth image that this stage read

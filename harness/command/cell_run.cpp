@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/check.h"
+#include "command/seen_answers.h"
 
 namespace ssrkit {
 
@@ -124,9 +125,10 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
   }
   Answer frame{};
   frame.device = cell.device;
-  frame.size = cell.size;
+  frame.size = cell.result->camera.size;  // that of a crop is smaller than the cell's
   frame.input = cell.input;
   frame.variant = cell.variant;
+  frame.shown_in = changesView(cell.variant) ? cell.variant : "";
   frame.frame_cases = cell.cases;
   // The plain frame is all cases'; that of a variant goes by its first case's name.
   frame.case_name = cell.variant.empty() ? "" : cell.cases.front();

@@ -120,7 +120,7 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
 }
 
 SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
-  SceneRun run{.source = &source, .cells = {}, .answers = {}, .checks = {}, .ledger = {}};
+  SceneRun run{.source = &source, .cells = {}, .answers = {}, .seen_answers = {}, .checks = {}, .ledger = {}};
   const std::vector<std::string>& devices = test.devices.empty() ? options_.devices : test.devices;
   std::vector<Size> sizes = test.sizes.empty() ? std::vector{options_.size} : test.sizes;
   if (source.gbuffer != nullptr) {
@@ -162,6 +162,7 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
     }
     addAnswers(cell, run.answers);
   }
+  addSeenAnswers(variantsOf(test), run.seen_answers, run.answers);
   judge(test, source, run);
   if (options_.wants_ledger) {
     addToLedger(run.answers, halfBuffers(), run.ledger);

@@ -18,6 +18,7 @@
 #include "check/subject.h"
 #include "command/cell_run.h"
 #include "command/golden_shelf.h"
+#include "command/seen_answers.h"
 #include "frame/gbuffer_files.h"
 #include "frame/job.h"
 #include "worker/supervisor.h"
@@ -38,6 +39,7 @@ struct SceneRun {
   const SceneSource* source = nullptr;
   std::deque<CellRun> cells;
   std::vector<Answer> answers;
+  std::deque<SeenAnswer> seen_answers;  // that answers of changed views are held against
   std::vector<CheckResult> checks;
   Ledger ledger;  // of every two devices' answers, where it is wanted
 };

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "base/text.h"
+#include "frame/changed_view.h"
 #include "frame/gbuffer_source.h"
 #include "frame/shadow_map.h"
+#include "frame/variants.h"
 #include "scene/load.h"
 #include "scene/motion.h"
 
@@ -56,7 +58,12 @@ Expected<Camera> poseForFrame(Device& device, const Job& job, int frame, PosedSc
     }
     posed.resources.vertices = std::move(*vertices);
   }
-  auto camera = sceneCamera(scene, job);
+  const auto variant = findVariant(job.variant);
+  if (!variant) {
+    return tl::make_unexpected(variant.error());
+  }
+  auto camera =
+      sceneCamera(scene, job).map([&](const Camera& whole) { return cameraIn((*variant)->view, whole); });
   if (camera) {
     setCameraUniforms(values, *camera);
     setLightUniforms(values, scene, camera->view_from_world);

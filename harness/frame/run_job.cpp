@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "frame/changed_view.h"
 #include "frame/draw_sequence.h"
 #include "frame/environment_images.h"
 #include "frame/frame_drawing.h"
@@ -15,6 +16,7 @@
 #include "frame/tiled_device.h"
 #include "frame/tracing.h"
 #include "frame/variants.h"
+#include "shader/module_variants.h"
 
 namespace ssrkit {
 
@@ -32,6 +34,7 @@ struct JobRunner::Impl {
   std::map<std::string, PosedScene> scenes;
   std::optional<FrameImages> images;
 
+  [[nodiscard]] Expected<JobResult> run(const Job& job, const ViewChange& view, const Progress& progress);
   [[nodiscard]] Expected<PosedScene*> loaded(const Job& job);
   [[nodiscard]] Expected<FrameDrawing> frame(const Job& job, const CompileSettings& settings,
                                              const Progress& progress, UniformValues& values,
@@ -196,23 +199,36 @@ Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {
 }
 
 Expected<JobResult> JobRunner::run(const Job& job, const Progress& progress) {
-  Impl& impl = *impl_;
+  const auto variant = findVariant(job.variant);
+  if (!variant) {
+    return tl::make_unexpected(variant.error());
+  }
+  const ViewChange& view = (*variant)->view;
+  return view == ViewChange{} ? impl_->run(job, view, progress)
+                              : impl_->run(jobIn(view, job), view, progress);
+}
+
+Expected<JobResult> JobRunner::Impl::run(const Job& job, const ViewChange& view, const Progress& progress) {
   const auto settings = compileSettings(job);
   if (!settings) {
     return tl::make_unexpected(settings.error());
   }
-  if (!impl.images || impl.images->size() != job.size) {
-    impl.images.reset();
-    impl.images.emplace(impl.device, job.size);
+  const Size size = sizeIn(view, job.size);
+  if (!images || images->size() != size) {
+    images.reset();
+    images.emplace(device, size);
   }
   JobResult result;
   UniformValues values;
-  auto done = impl.draw(job, *settings, progress, values, result);
-  if (done) {
-    done = impl.readFrame(job, result);
+  if (settings->form == ModuleForm::kDeadCode) {
+    values.set(kDeadCodeZero, -0.0);
   }
-  result.setup = impl.programs.takeTimes();
-  result.messages = impl.device.drainMessages();
+  auto done = draw(job, *settings, progress, values, result);
+  if (done) {
+    done = readFrame(job, result);
+  }
+  result.setup = programs.takeTimes();
+  result.messages = device.drainMessages();
   if (!done) {
     Error error = done.error();
     error.reasons.insert(error.reasons.end(), result.messages.begin(), result.messages.end());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/view_change.h"
 #include "shader/compiler.h"
 
 namespace ssrkit {
@@ -19,6 +20,8 @@ struct Variant {
   std::string about;  // one line for people
   ModuleForm modules = ModuleForm::kPlain;
   bool is_tiled = false;  // full-screen passes are drawn tile by tile
+  ViewChange view =
+      {};  // another picture of the same scene; answers are compared by what becomes of its texels
   // Set over the device's own before its driver is loaded: such a variant has a worker of its own.
   std::vector<std::pair<std::string, std::string>> environment = {};
 };

@@ -38,9 +38,11 @@ struct ShaderModule {
 // What is done to a module after glslang. None of them may change what a right driver computes.
 enum class ModuleForm : std::uint8_t {
   kPlain,
-  kOptimised,      // spirv-opt -O
-  kOptimisedSize,  // spirv-opt -Os
-  kRobust,         // spirv-opt --graphics-robust-access: every index is clamped to its array
+  kOptimised,         // spirv-opt -O
+  kOptimisedSize,     // spirv-opt -Os
+  kRobust,            // spirv-opt --graphics-robust-access: every index is clamped to its array
+  kDeadCode,          // sums with a zero that the compiler does not know, and a branch that is never taken
+  kUniformsReversed,  // the uniform block's members in the opposite order
 };
 
 struct CompileOptions {

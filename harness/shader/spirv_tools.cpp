@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "shader/module_variants.h"
+
 namespace ssrkit {
 
 namespace {
@@ -26,6 +28,8 @@ spvtools::MessageConsumer collectInto(std::vector<std::string>& messages) {
 void registerPasses(spvtools::Optimizer& optimiser, ModuleForm form) {
   switch (form) {
     case ModuleForm::kPlain:
+    case ModuleForm::kDeadCode:
+    case ModuleForm::kUniformsReversed:
       break;
     case ModuleForm::kOptimised:
       optimiser.RegisterPerformancePasses();
@@ -64,6 +68,12 @@ Expected<void> validateSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarg
 Expected<std::vector<std::uint32_t>> rewriteSpirv(const std::vector<std::uint32_t>& spirv, ModuleForm form,
                                                   ShaderTarget target, const std::string& where,
                                                   const std::string& attempted) {
+  if (form == ModuleForm::kDeadCode) {
+    return withDeadCode(spirv);
+  }
+  if (form == ModuleForm::kUniformsReversed) {
+    return withUniformsReversed(spirv);
+  }
   std::vector<std::string> messages;
   spvtools::Optimizer optimiser(environmentOf(target));
   optimiser.SetMessageConsumer(collectInto(messages));

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <map>
+#include <set>
 
 #include "device/forwarding_device.h"
 #include "frame/run_job.h"
@@ -59,13 +63,15 @@ std::map<std::string, std::vector<std::uint32_t>> answers(Device& device, Shader
   return by_stage;
 }
 
-// Takes the scissor for the viewport: what is drawn into a tile is the whole picture, made small.
-class TilesForViewports final : public ForwardingDevice {
+// Ends each tile a column early: a seam.
+class LosesASeam final : public ForwardingDevice {
  public:
   using ForwardingDevice::ForwardingDevice;
   [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override {
     PassDesc wrong = pass;
-    wrong.viewport = pass.scissor.value_or(pass.viewport);
+    if (pass.scissor && pass.scissor->width < pass.viewport.width) {
+      wrong.scissor->width = std::max(pass.scissor->width - 1, 0);
+    }
     return behind().draw(wrong);
   }
 };
@@ -90,15 +96,116 @@ TEST_P(VariantsTest, EachGivesThePlainJobsBits) {
   const auto plain = answers(*device_, target_, tracesOf(""));
   ASSERT_EQ(plain.size(), 4U);
   for (const Variant& variant : variants()) {
-    EXPECT_EQ(answers(*device_, target_, tracesOf(variant.name)), plain) << variant.name;
+    if (variant.view == ViewChange{}) {
+      EXPECT_EQ(answers(*device_, target_, tracesOf(variant.name)), plain) << variant.name;
+    }
   }
 }
 
-TEST_P(VariantsTest, TilesShowADeviceThatConfusesScissorAndViewport) {
+// Fills each pass's block as the first job with that pass laid it out.
+class KeepsTheFirstLayout final : public ForwardingDevice {
+ public:
+  using ForwardingDevice::ForwardingDevice;
+  [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override {
+    auto& first = first_[pass.name];
+    first.resize(std::max(first.size(), pass.uniforms.size()));
+    if (seen_.insert(pass.name).second) {
+      std::ranges::copy(pass.uniforms, first.begin());
+    }
+    PassDesc wrong = pass;
+    wrong.uniforms = std::span(first).first(pass.uniforms.size());
+    return behind().draw(wrong);
+  }
+
+ private:
+  std::map<std::string, std::vector<std::byte>> first_;
+  std::set<std::string> seen_;
+};
+
+// Takes every branch that asks for more than a zero.
+class WakesTheDead final : public ForwardingDevice {
+ public:
+  using ForwardingDevice::ForwardingDevice;
+  [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override {
+    std::vector<std::uint32_t> words(pass.uniforms.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), pass.uniforms.data(), pass.uniforms.size());
+    std::ranges::replace(words, std::bit_cast<std::uint32_t>(-0.0F), std::bit_cast<std::uint32_t>(2.0F));
+    PassDesc wrong = pass;
+    wrong.uniforms = std::as_bytes(std::span(words));
+    return behind().draw(wrong);
+  }
+};
+
+TEST_P(VariantsTest, AnotherOrderOfUniformsShowsADeviceThatGoesByOffset) {
+  KeepsTheFirstLayout keeps(*device_);
+  Job job = tracesOf("");
+  job.traces.resize(1);
+  const auto plain = answers(keeps, target_, job);
+  EXPECT_EQ(answers(keeps, target_, job), plain);
+  job.variant = "uniform_order";
+  EXPECT_NE(answers(keeps, target_, job), plain);
+}
+
+TEST_P(VariantsTest, DeadCodeThatRunsIsSeen) {
+  WakesTheDead wakes(*device_);
+  EXPECT_NE(answers(wakes, target_, tracesOf("dead_code")), answers(*device_, target_, tracesOf("")));
+}
+
+// How many rays have another class or texel than the plain ones that the view shows, and how many of other
+// bits; of the stage `hiz`.
+struct Differences {
+  std::size_t rays = 0;
+  std::size_t answers = 0;
+  std::size_t bits = 0;
+};
+
+Differences differencesIn(const std::string& variant, Device& device, ShaderTarget target) {
+  Job job = randomTerrain({160, 90});
+  job.traces = {{.stage = "hiz", .technique = ""}};
+  const auto plain = JobRunner(device, target).run(job, [](const std::string&) {});
+  job.variant = variant;
+  const auto seen = JobRunner(device, target).run(job, [](const std::string&) {});
+  if (!plain || !seen) {
+    ADD_FAILURE() << sentence(plain ? seen.error() : plain.error());
+    return {};
+  }
+  const RayRecord expected = recordIn((*findVariant(variant))->view, plain->traces[0].record);
+  const RayRecord& found = seen->traces[0].record;
+  EXPECT_EQ(found.size, expected.size);
+  Differences differences;
+  for (std::size_t i = 0; i < std::min(found.rays.size(), expected.rays.size()); ++i) {
+    const RayHit& a = found.rays[i];
+    const RayHit& b = expected.rays[i];
+    const bool same = a.ray_class == b.ray_class && a.texel_x == b.texel_x && a.texel_y == b.texel_y;
+    const bool has_ray = b.ray_class != RayClass::kMasked && b.ray_class != RayClass::kBackground;
+    differences.rays += has_ray ? 1 : 0;
+    differences.answers += same ? 0 : 1;
+    differences.bits += same && std::memcmp(&a.px_x, &b.px_x, 3 * sizeof(float)) == 0 ? 0 : 1;
+  }
+  return differences;
+}
+
+TEST_P(VariantsTest, AWorldEightTimesAsLargeHasTheSameRaysBitByBit) {
+  const Differences scaled = differencesIn("scaled", *device_, target_);
+  EXPECT_GT(scaled.rays, 5000U);
+  EXPECT_EQ(scaled.bits, 0U);
+}
+
+// Subtracting from the width rounds, and so does another origin of pixels: a ray on the border of two texels
+// may fall to the other side.
+TEST_P(VariantsTest, MirroringAndCroppingMoveTheRaysTexelByTexel) {
+  for (const char* const variant : {"mirrored", "cropped"}) {
+    const Differences seen = differencesIn(variant, *device_, target_);
+    EXPECT_GT(seen.rays, 4000U) << variant;
+    EXPECT_LE(seen.answers, seen.rays / 500) << variant;
+  }
+}
+
+TEST_P(VariantsTest, TilesShowADeviceThatLosesTexels) {
   const auto plain = answers(*device_, target_, tracesOf(""));
-  TilesForViewports moves(*device_);
-  EXPECT_EQ(answers(moves, target_, tracesOf("")), plain);
-  EXPECT_NE(answers(moves, target_, tracesOf("tiled")), plain);
+  LosesASeam seam(*device_);
+  EXPECT_EQ(answers(seam, target_, tracesOf("")), plain);
+  EXPECT_NE(answers(seam, target_, tracesOf("tiled")), plain);
   LosesATile loses(*device_);
   EXPECT_EQ(answers(loses, target_, tracesOf("")), plain);
   EXPECT_NE(answers(loses, target_, tracesOf("tiled")), plain);

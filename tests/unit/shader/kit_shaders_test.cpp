@@ -20,7 +20,8 @@ TEST_F(KitShaders, AllCompileForBothTargetsOptimisedOrNot) {
     ++count;
     for (const ShaderTarget target : kBothTargets) {
       for (const ModuleForm form :
-           {ModuleForm::kPlain, ModuleForm::kOptimised, ModuleForm::kOptimisedSize, ModuleForm::kRobust}) {
+           {ModuleForm::kPlain, ModuleForm::kOptimised, ModuleForm::kOptimisedSize, ModuleForm::kRobust,
+            ModuleForm::kDeadCode, ModuleForm::kUniformsReversed}) {
         const Expected<ShaderModule> module = compileShader({kit, entry.path().filename(), *stage, {}},
                                                             target, {.form = form, .use_cache = false});
         EXPECT_TRUE(module) << sentence(module.error());
