@@ -33,6 +33,7 @@ struct LedgerKey {
   std::string input;
   std::string stage;   // empty: of the frame
   std::string buffer;  // "hit" for the ray record
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads what is generated
   auto operator<=>(const LedgerKey&) const = default;
 };
 

@@ -95,10 +95,13 @@ RayPairs pairRays(const Subject& subject, const Truth& truth) {
     return result;
   }
   const ExpectedRecord expected = expectedRecord(subject, truth);
-  result.problem = expected.problem;
-  SSRKIT_CHECK(expected.record != nullptr || !result.problem.empty());
+  if (!expected.problem.empty()) {
+    result.problem = expected.problem;
+    return result;
+  }
+  SSRKIT_CHECK(expected.record != nullptr);
   const RayRecord& yours = *subject.self->record;
-  if (result.problem.empty() && expected.record->rays.size() != yours.rays.size()) {
+  if (expected.record->rays.size() != yours.rays.size()) {
     result.problem = fmt::format("the records have different sizes, {} and {}", sizeText(yours.size),
                                  sizeText(expected.record->size));
   }

@@ -65,6 +65,7 @@ class PyramidTest : public FrameDeviceTest {
     ASSERT_TRUE(uploadImage(*device_, **uploaded, dist_view, {}).has_value());
     UniformValues values;
     values.set("size_px", glm::dvec2(size.width, size.height));
+    values.set("texel_uv", 1.0 / glm::dvec2(size.width, size.height));
     const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, "dist_view", images, values);
     ASSERT_TRUE(time.has_value()) << sentence(time.error());
     const Size padded = paddedSize(size, max_mip);
