@@ -230,13 +230,14 @@ TEST(LoadExpectations, FoldersAreReadInOrderAndIdsAreUnique) {
 
 TEST(LoadExpectations, TheBuiltInFilesAreAllGood) {
   const std::filesystem::path folder = std::filesystem::path(SSRKIT_SOURCE_DIR) / "tests" / "expect";
-  const KnownNames known{{"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "gloss",
-                          "moving", "outdoor", "thin"},
-                         {"gl-osmesa", "vk-lavapipe"},
-                         {"naive",          "refined",   "dda",         "dda_8_0",         "dda_8_4",
-                          "dda_8_4_dither", "dda_32_0",  "dda_32_4",    "dda_32_4_dither", "hiz",
-                          "naive_32",       "naive_128", "world",       "world_32",        "world_128",
-                          "exponential",    "adaptive",  "homogeneous", "capped",          "walk"}};
+  const KnownNames known{
+      {"m1", "m2", "m3", "m4", "clutter", "corridor", "curved", "facing", "gloss", "moving", "outdoor",
+       "thin"},
+      {"gl-osmesa", "vk-lavapipe", "gl-egl", "gl-zink", "gl-glsl", "gl-softpipe", "vk-swiftshader"},
+      {"naive",          "refined",   "dda",         "dda_8_0",         "dda_8_4",
+       "dda_8_4_dither", "dda_32_0",  "dda_32_4",    "dda_32_4_dither", "hiz",
+       "naive_32",       "naive_128", "world",       "world_32",        "world_128",
+       "exponential",    "adaptive",  "homogeneous", "capped",          "walk"}};
   const auto tests = loadExpectations(folder, known);
   ASSERT_TRUE(tests.has_value()) << sentence(tests.error());
   EXPECT_GE(tests->size(), 16U);
