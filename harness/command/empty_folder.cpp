@@ -9,7 +9,7 @@ namespace ssrkit {
 
 Expected<EmptyFolder> EmptyFolder::create() {
   std::error_code ignored;
-  std::string name = (std::filesystem::temp_directory_path(ignored) / "ssrkit-bench-XXXXXX").string();
+  std::string name = (std::filesystem::temp_directory_path(ignored) / "ssrkit-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) {
     return setupError("make an empty folder", std::strerror(errno), name,
                       "set TMPDIR to a folder that can be written to");

@@ -13,10 +13,10 @@
 
 #include "base/atomic_file.h"
 #include "check/outcome.h"
+#include "command/empty_folder.h"
 #include "command/kit_paths.h"
 #include "command/mutant_runner.h"
 #include "command/progress_line.h"
-#include "command/scratch_folder.h"
 #include "mutation/read_mutants.h"
 #include "mutation/text_edit.h"
 #include "report/mutation_report.h"
@@ -153,13 +153,13 @@ Expected<int> mutateCommand(const MutateOptions& options) {
   if (const auto fits = tryEdits(chosen, paths); !fits) {
     return tl::make_unexpected(fits.error());
   }
-  const auto scratch = ScratchFolder::create();
-  auto plan = scratch ? makePlan(paths, *all, (*scratch)->path()) : tl::make_unexpected(scratch.error());
+  const auto scratch = EmptyFolder::create();
+  auto plan = scratch ? makePlan(paths, *all, scratch->path()) : tl::make_unexpected(scratch.error());
   if (!plan) {
     return tl::make_unexpected(plan.error());
   }
   plan->first_kill = options.first_kill;
-  return runAndReport(chosen, *plan, (*scratch)->path(), options);
+  return runAndReport(chosen, *plan, scratch->path(), options);
 }
 
 }  // namespace ssrkit
