@@ -98,15 +98,6 @@ Json gateOf(const CheckResult& gate) {
           {"remark", gate.remark}};
 }
 
-template <class Rows, class Convert>
-Json listOf(const Rows& rows, const Convert& convert) {
-  Json json = Json::array();
-  for (const auto& row : rows) {
-    json.push_back(convert(row));
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string benchJson(const BenchReport& report) {

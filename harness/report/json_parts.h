@@ -19,4 +19,14 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json deviceOf(const DeviceRow& device);
 [[nodiscard]] Json passesOf(const std::vector<PassReport>& passes);
 
+// One entry a row. `List` is a parameter so that this header can do without the definition of Json.
+template <class Rows, class Convert, class List = Json>
+[[nodiscard]] List listOf(const Rows& rows, const Convert& convert) {
+  List list = List::array();
+  for (const auto& row : rows) {
+    list.push_back(convert(row));
+  }
+  return list;
+}
+
 }  // namespace ssrkit

@@ -143,15 +143,6 @@ Json summaryOf(const std::vector<CheckResult>& checks) {
       {"outcomes", std::move(counts)}, {"line", closingLine(outcomes)}, {"exit_code", exitCode(outcomes)}};
 }
 
-template <class Rows, class Convert>
-Json listOf(const Rows& rows, const Convert& convert) {
-  Json json = Json::array();
-  for (const auto& row : rows) {
-    json.push_back(convert(row));
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string resultsJson(const RunReport& report) {
