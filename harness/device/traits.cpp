@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kFullCount = 512;  // 512 * 512 turns: four times Mesa's cap
 constexpr double kTimerSlack = 0.2;
-constexpr std::int64_t kLoadNs = 20'000'000;  // long enough that tiles, threads and the clock's own cost fade
+constexpr std::int64_t kLoadNs = 8'000'000;  // long enough that tiles, threads and the clock's own cost fade
 constexpr Size kLoadSize{128, 128};
 constexpr std::uint32_t kMostLoadCount = 60'000;  // below Mesa's cap, or more turns would cost nothing
 
@@ -120,14 +120,16 @@ Expected<std::uint32_t> findLoad(const Probe& probe) {
   return count;
 }
 
-// Twice right of five: once may be chance, and on a busy machine a good timer may disagree now and then.
+// Twice right of five: once may be chance, and on a busy machine a good timer may disagree now and then. It
+// is paid for at every start of a worker, so no more is drawn than settles it.
 Expected<bool> isTimerUsable(const Probe& probe) {
   const Expected<std::uint32_t> count = findLoad(probe);
   if (!count) {
     return tl::unexpected(count.error());
   }
+  constexpr int kEnough = 2;
   int agreed = 0;
-  for (int i = 0; i < 5 && agreed < 2; ++i) {
+  for (int left = 5; agreed < kEnough && agreed + left >= kEnough; --left) {
     const Expected<PassTime> time = drawLoad(probe, *count);
     if (!time) {
       return tl::unexpected(time.error());
@@ -137,7 +139,7 @@ Expected<bool> isTimerUsable(const Probe& probe) {
     }
     agreed += agrees(*time) ? 1 : 0;
   }
-  return agreed == 2;
+  return agreed == kEnough;
 }
 
 }  // namespace

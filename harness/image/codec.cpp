@@ -26,8 +26,9 @@ Loaded load() {
 Expected<const ImageCodec*> imageCodec() {
   static const Loaded loaded = load();
   if (loaded.codec == nullptr) {
-    return setupError("load the reader and writer of pictures", loaded.problem, "",
-                      "check the installation of the package libopenimageio2.4");
+    return setupError(
+        "load the reader and writer of pictures", loaded.problem, "",
+        "check the installation of the packages libopenexr-dev, libpng-dev and libfreetype-dev");
   }
   return loaded.codec;
 }

@@ -1,8 +1,5 @@
-// What the kit asks of OpenImageIO, as a table of functions that is loaded at the first use.
-//
-// The library brings some 260 shared libraries with it, 0.3 s of CPU time before main() for every process
-// that is linked to it. Workers and most commands read and write no picture, so only image/oiio_codec.cpp is
-// linked to it, as a module of its own.
+// What the kit asks of OpenEXR, libpng and FreeType, as a table of functions that is loaded at the first use:
+// workers and most commands read and write no picture, so only a module of its own is linked to them.
 #pragma once
 
 #include <map>
@@ -29,10 +26,10 @@ struct ImageCodec {
   std::string (*decodeExr)(const std::string& file, Image& image);
   std::string (*encodePng)(const ByteImage& image, std::vector<unsigned char>& bytes);
   std::string (*decodePng)(const std::string& file, ByteImage& image);  // 1 to 4 channels
-  Glyph (*renderGlyph)(const std::string& character, int height_px, const std::string& font_file);
+  Glyph (*renderGlyph)(char character, int height_px, const std::string& font_file);
 };
 
-// Loads the module at the first call. Fails when it or OpenImageIO is not installed.
+// Loads the module at the first call. Fails when it or one of its libraries is not installed.
 [[nodiscard]] Expected<const ImageCodec*> imageCodec();
 
 // The module's only symbol.

@@ -8,7 +8,7 @@ const Glyph& GlyphCache::glyph(char character, int height_px) {
   const auto [entry, is_new] = glyphs_.try_emplace({character, height_px});
   if (is_new) {
     const auto codec = imageCodec();  // TextPainter::load has seen it loaded
-    entry->second = codec ? (*codec)->renderGlyph(std::string(1, character), height_px, font_file_) : Glyph{};
+    entry->second = codec ? (*codec)->renderGlyph(character, height_px, font_file_) : Glyph{};
   }
   return entry->second;
 }

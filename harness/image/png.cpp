@@ -23,8 +23,7 @@ tl::unexpected<Error> readError(const fs::path& path, std::string problem) {
   return inputError(fmt::format("read '{}'", path.string()), std::move(problem), {}, "write it again as PNG");
 }
 
-// Whether the chunks follow each other up to IEND. OpenImageIO 2.4 leaks and libpng writes to stderr where a
-// file ends in the middle of one.
+// Whether the chunks follow each other up to IEND: libpng looks at nothing that comes after the texels.
 bool isWholePng(std::string_view file) {
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
   constexpr std::size_t kChunkFrame = 12;  // length, type and checksum

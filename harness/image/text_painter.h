@@ -30,7 +30,7 @@ class TextPainter {
   TextPainter(TextPainter&&) noexcept;
   TextPainter& operator=(TextPainter&&) noexcept;
 
-  // `text` is UTF-8; what is not ASCII is drawn as '?', for OpenImageIO 2.4 decodes it wrongly. What falls
+  // `text` is UTF-8; what is not ASCII is drawn as '?'. What falls
   // outside the picture is cut off.
   void draw(ByteImage& picture, int x, int baseline_y, std::string_view text, const TextStyle& style);
 

@@ -1,0 +1,12 @@
+// The module's only symbol (image/codec.h).
+#include "image/codec.h"
+#include "image/picture_formats.h"
+
+extern "C" const ssrkit::ImageCodec* ssrkitImageCodec() {
+  static const ssrkit::ImageCodec codec{.encodeExr = ssrkit::encodeExr,
+                                        .decodeExr = ssrkit::decodeExr,
+                                        .encodePng = ssrkit::encodePng,
+                                        .decodePng = ssrkit::decodePng,
+                                        .renderGlyph = ssrkit::renderGlyph};
+  return &codec;
+}
