@@ -53,6 +53,9 @@ class FrameImages {
   // Two images that are there change names.
   void swap(const std::string& one, const std::string& other);
 
+  // Frees an image that nothing is drawn to or read from any more.
+  void drop(const std::string& name) { images_.erase(name); }
+
   // nullptr when it was never created.
   [[nodiscard]] DeviceImage* find(const std::string& name) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 
 #include "base/check.h"
 
@@ -23,6 +24,18 @@ void storeTexel(std::byte* to, const std::array<float, 4>& value, std::size_t ch
       std::memcpy(to + channel * sizeof(float), &value[channel], sizeof(float));
     }
   }
+}
+
+// By the bits of a half. Reading back a table takes a fraction of the time of the conversion.
+const std::vector<float>& floatsOfHalves() {
+  static const std::vector<float> table = [] {
+    std::vector<float> values(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1);
+    for (std::size_t bits = 0; bits < values.size(); ++bits) {
+      values[bits] = glm::unpackHalf1x16(static_cast<std::uint16_t>(bits));
+    }
+    return values;
+  }();
+  return table;
 }
 
 template <class T>
@@ -60,16 +73,19 @@ Expected<Image> readImage(Device& device, const DeviceImage& from, const std::ve
   const auto stride = static_cast<std::size_t>(formatInfo(from.desc().format).channel_count);
   SSRKIT_CHECK_LE(channels.size(), stride);
   Image image(from.desc().size, channels);
-  const bool half = isHalf(from.desc().format);
-  const std::span<const std::uint16_t> halves =
-      half ? as<std::uint16_t>(*bytes) : std::span<const std::uint16_t>();
-  const std::span<const float> floats = half ? std::span<const float>() : as<float>(*bytes);
-  for (std::size_t texel = 0; texel < image.texelCount(); ++texel) {
-    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-      const std::size_t source = texel * stride + channel;
-      image.data[texel * channels.size() + channel] =
-          half ? glm::unpackHalf1x16(halves[source]) : floats[source];
+  const auto fill = [&](const auto& texels, const auto& to_float) {
+    float* to = image.data.data();
+    for (std::size_t texel = 0; texel < image.texelCount(); ++texel) {
+      for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        *to++ = to_float(texels[texel * stride + channel]);
+      }
     }
+  };
+  if (isHalf(from.desc().format)) {
+    const std::vector<float>& table = floatsOfHalves();
+    fill(as<std::uint16_t>(*bytes), [&](std::uint16_t bits) { return table[bits]; });
+  } else {
+    fill(as<float>(*bytes), [](float value) { return value; });
   }
   return image;
 }

@@ -9,8 +9,8 @@
 #include "frame/draw_sequence.h"
 #include "frame/environment_images.h"
 #include "frame/frame_drawing.h"
+#include "frame/frame_read_back.h"
 #include "frame/given_gbuffer.h"
-#include "frame/image_transfer.h"
 #include "frame/posed_scene.h"
 #include "frame/replacements.h"
 #include "frame/tiled_device.h"
@@ -46,7 +46,6 @@ struct JobRunner::Impl {
                                            UniformValues& values);
   [[nodiscard]] Expected<void> draw(const Job& job, const CompileSettings& settings, const Progress& progress,
                                     UniformValues& values, JobResult& result);
-  [[nodiscard]] Expected<void> readFrame(const Job& job, JobResult& result);
 };
 
 JobRunner::JobRunner(Device& device, ShaderTarget target)
@@ -180,24 +179,6 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
   return {};
 }
 
-Expected<void> JobRunner::Impl::readFrame(const Job& job, JobResult& result) {
-  if (!job.want_gbuffer) {
-    return {};
-  }
-  for (const FrameImageRow& row : frameImages()) {
-    const DeviceImage* image = images->find(row.name);
-    if (row.folder.empty() || image == nullptr || (row.name == "depth_window" && job.gbuffer_camera)) {
-      continue;
-    }
-    auto read = readImage(device, *image, row.channels);
-    if (!read) {
-      return tl::make_unexpected(read.error());
-    }
-    result.images.emplace(row.name, std::move(*read));
-  }
-  return {};
-}
-
 Expected<JobResult> JobRunner::run(const Job& job, const Progress& progress) {
   const auto variant = findVariant(job.variant);
   if (!variant) {
@@ -224,8 +205,13 @@ Expected<JobResult> JobRunner::Impl::run(const Job& job, const ViewChange& view,
     values.set(kDeadCodeZero, -0.0);
   }
   auto done = draw(job, *settings, progress, values, result);
-  if (done) {
-    done = readFrame(job, result);
+  if (done && job.want_gbuffer) {
+    done = readFrame(device, *images, job.gbuffer_camera.has_value()).map([&](auto read) {
+      result.images = std::move(read);
+    });
+  }
+  if (isLargeFrame(size)) {
+    images.reset();
   }
   result.setup = programs.takeTimes();
   result.messages = device.drainMessages();

@@ -24,19 +24,38 @@ concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <class T, class Plain>
 concept Is = std::is_same_v<std::remove_const_t<T>, Plain>;
 
+template <class T>
+inline constexpr bool kIsVector = false;
+template <class T>
+inline constexpr bool kIsVector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool kIsMap = false;
+template <class T>
+inline constexpr bool kIsMap<std::map<std::string, T>> = true;
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+// Of values that are not const, `finish` empties the large arrays as it goes: what is handed over is never
+// there twice.
 class Packer {
  public:
   template <class... Values>
-  void operator()(const Values&... values) {
+  void operator()(Values&&... values) {
     (add(values), ...);
   }
 
   // A large array: goes to the bulk part. It must outlive `finish`.
-  template <class T>
-  void bulk(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
+  template <class Vector>
+  void bulk(Vector& values) {
+    static_assert(std::is_trivially_copyable_v<typename Vector::value_type>);
     (*this)(static_cast<std::uint64_t>(values.size()));
-    bulk_.push_back(std::as_bytes(std::span(values)));
+    BulkPart& part = bulk_.emplace_back();
+    part.bytes = std::as_bytes(std::span(values));
+    if constexpr (!std::is_const_v<Vector>) {
+      part.release = [&values] { Vector().swap(values); };
+    }
   }
 
   void require(bool condition) { SSRKIT_CHECK(condition); }
@@ -46,46 +65,42 @@ class Packer {
   }
 
  private:
-  template <Scalar T>
-  void add(const T& value) {
-    header_.append(reinterpret_cast<const char*>(&value), sizeof(value));
-  }
-  void add(const std::string& text) {
-    (*this)(static_cast<std::uint64_t>(text.size()));
-    header_ += text;
-  }
-  void add(const std::filesystem::path& path) { add(path.native()); }
   template <class T>
-  void add(const std::vector<T>& values) {
-    (*this)(static_cast<std::uint64_t>(values.size()));
-    for (const T& value : values) {
-      (*this)(value);
+  void add(T& value) {
+    using Plain = std::remove_const_t<T>;
+    if constexpr (Scalar<Plain>) {
+      header_.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    } else if constexpr (std::is_same_v<Plain, std::string>) {
+      (*this)(static_cast<std::uint64_t>(value.size()));
+      header_ += value;
+    } else if constexpr (std::is_same_v<Plain, std::filesystem::path>) {
+      (*this)(value.native());
+    } else if constexpr (kIsVector<Plain>) {
+      (*this)(static_cast<std::uint64_t>(value.size()));
+      for (auto& element : value) {
+        (*this)(element);
+      }
+    } else if constexpr (kIsMap<Plain>) {
+      (*this)(static_cast<std::uint64_t>(value.size()));
+      for (auto& [key, element] : value) {
+        (*this)(key, element);
+      }
+    } else if constexpr (kIsOptional<Plain>) {
+      (*this)(value.has_value());
+      if (value) {
+        (*this)(*value);
+      }
+    } else {
+      fields(*this, value);
     }
   }
-  template <class T>
-  void add(const std::map<std::string, T>& values) {
-    (*this)(static_cast<std::uint64_t>(values.size()));
-    for (const auto& [key, value] : values) {
-      (*this)(key, value);
-    }
-  }
-  template <class T>
-  void add(const std::optional<T>& value) {
-    (*this)(value.has_value());
-    if (value) {
-      (*this)(*value);
-    }
-  }
-  template <class T>
-  requires std::is_class_v<T>
-  void add(const T& value) { fields(*this, value); }
 
   std::string header_;
-  std::vector<std::span<const std::byte>> bulk_;
+  std::vector<BulkPart> bulk_;
 };
 
-// Reads what a Packer wrote. It trusts no count and no size: on the first that does not fit, `failed` is set
-// and every later value keeps its default.
+// Reads what a Packer wrote, once: large arrays are taken out of the payload. It trusts no count and no size:
+// on the first that does not fit, `failed` is set and every later value keeps its default.
 class Unpacker {
  public:
   explicit Unpacker(const Payload& payload) : payload_(payload) {
@@ -108,7 +123,9 @@ class Unpacker {
     }
     values.resize(count);
     const std::span<std::byte> bytes = std::as_writable_bytes(std::span(values));
-    require(readPayload(payload_, payload_.header_bytes + bulk_offset_, bytes));
+    const std::uint64_t offset = payload_.header_bytes + bulk_offset_;
+    require(readPayload(payload_, offset, bytes));
+    releasePayload(payload_, offset, bytes.size());
     bulk_offset_ += bytes.size();
   }
 

@@ -1,5 +1,6 @@
 #include "worker/payload.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 
@@ -32,17 +33,19 @@ tl::unexpected<Error> noMemory() {
 
 }  // namespace
 
-Expected<Payload> makePayload(std::span<const std::byte> header,
-                              std::span<const std::span<const std::byte>> bulk) {
+Expected<Payload> makePayload(std::span<const std::byte> header, std::span<const BulkPart> bulk) {
   Payload payload{OwnedFd(::memfd_create("ssrkit-message", MFD_CLOEXEC)), header.size(), 0};
   if (!payload.memory || !writeAll(payload.memory.get(), header)) {
     return noMemory();
   }
-  for (const std::span<const std::byte> bytes : bulk) {
-    if (!writeAll(payload.memory.get(), bytes)) {
+  for (const BulkPart& part : bulk) {
+    if (!writeAll(payload.memory.get(), part.bytes)) {
       return noMemory();
     }
-    payload.bulk_bytes += bytes.size();
+    payload.bulk_bytes += part.bytes.size();
+    if (part.release) {
+      part.release();
+    }
   }
   return payload;
 }
@@ -70,6 +73,12 @@ bool readPayload(const Payload& payload, std::uint64_t offset, std::span<std::by
     offset += static_cast<std::uint64_t>(count);
   }
   return true;
+}
+
+void releasePayload(const Payload& payload, std::uint64_t offset, std::uint64_t byte_count) {
+  // Only whole pages go. Where it cannot be done the memory stays until the payload goes.
+  static_cast<void>(::fallocate(payload.memory.get(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
+                                static_cast<off_t>(offset), static_cast<off_t>(byte_count)));
 }
 
 }  // namespace ssrkit

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,14 +21,22 @@ struct Payload {
   std::uint64_t bulk_bytes = 0;
 };
 
-// Copies the header and the spans to new shared memory. Fails when memory runs out.
+struct BulkPart {
+  std::span<const std::byte> bytes;
+  std::function<void()> release;  // called once the bytes are copied; empty: nothing to do
+};
+
+// Copies the header and the parts to new shared memory. Fails when memory runs out.
 [[nodiscard]] Expected<Payload> makePayload(std::span<const std::byte> header,
-                                            std::span<const std::span<const std::byte>> bulk);
+                                            std::span<const BulkPart> bulk);
 
 // Whether the memory is as large as the payload says: asked once of everything that a peer sends.
 [[nodiscard]] bool hasDeclaredSize(const Payload& payload);
 
 // Reads from byte `offset` of the whole payload. False when the memory ends before.
 [[nodiscard]] bool readPayload(const Payload& payload, std::uint64_t offset, std::span<std::byte> bytes);
+
+// Gives the memory of these bytes back: they must not be read again.
+void releasePayload(const Payload& payload, std::uint64_t offset, std::uint64_t byte_count);
 
 }  // namespace ssrkit

@@ -185,8 +185,10 @@ Expected<Payload> packStart(const std::filesystem::path& shader_root) {
 Expected<Payload> packInfo(const DeviceInfo& info) {
   return pack(info);
 }
-Expected<Payload> packResult(const JobResult& result) {
-  return pack(result);
+Expected<Payload> packResult(JobResult result) {
+  Packer packer;
+  packer(result);
+  return packer.finish();
 }
 Expected<Payload> packError(const Error& error) {
   return pack(error);

@@ -20,7 +20,7 @@ struct LimitedJob {
 [[nodiscard]] Expected<Payload> packStart(const std::filesystem::path& shader_root);
 [[nodiscard]] Expected<Payload> packInfo(const DeviceInfo& info);
 [[nodiscard]] Expected<Payload> packJob(const Job& job, std::chrono::seconds cpu_limit);
-[[nodiscard]] Expected<Payload> packResult(const JobResult& result);
+[[nodiscard]] Expected<Payload> packResult(JobResult result);
 [[nodiscard]] Expected<Payload> packError(const Error& error);
 
 // Nothing when the payload is not what the function above writes: a size, count or code that cannot be true.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "samples.h"
@@ -135,6 +136,22 @@ TEST(Wire, ARayOfAClassThatDoesNotExistIsRefused) {
   EXPECT_FALSE(unpackResult(payloadOf(bytes, payload.header_bytes)));
   bytes[payload.header_bytes + offsetof(RayHit, ray_class)] = 6;
   EXPECT_TRUE(unpackResult(payloadOf(bytes, payload.header_bytes)));
+}
+
+TEST(Wire, WhatHasBeenReadIsNotKeptTwice) {
+  JobResult result;
+  result.images["lit"] = Image({512, 512}, {"R", "G", "B"});
+  const Payload payload = packResult(std::move(result)).value();
+  const auto kept_bytes = [&payload] {
+    struct stat status = {};
+    EXPECT_EQ(::fstat(payload.memory.get(), &status), 0);
+    constexpr std::int64_t kBlock = 512;
+    return status.st_blocks * kBlock;
+  };
+  constexpr std::int64_t kImageBytes = std::int64_t{512} * 512 * 3 * 4;
+  EXPECT_GE(kept_bytes(), kImageBytes);
+  ASSERT_TRUE(unpackResult(payload));
+  EXPECT_LT(kept_bytes(), kImageBytes / 100);
 }
 
 TEST(Wire, APayloadThatIsNotAsLargeAsItSaysIsFoundOut) {
