@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "command/bench_work.h"
 #include "command/print_checks.h"
-#include "command/run_rows.h"
 
 namespace ssrkit {
 
@@ -55,37 +54,6 @@ Expected<RunRequest> readBenchRequest(const BenchOptions& options, const KitPath
     }
   }
   return request;
-}
-
-// What went wrong is among the run's checks.
-Expected<void> timePasses(const BenchWork& work, Suite& suite, BenchReport& report,
-                          std::vector<CheckResult>& failures) {
-  std::vector<RunRow> rows;
-  std::vector<FrameRow> frames;
-  for (const SceneSource& scene : work.request.scenes) {
-    const SceneRun run = suite.run(work.request.test, scene);
-    failures.insert(failures.end(), run.checks.begin(), run.checks.end());
-    const std::vector<RunRow> of_scene = runRows(run);
-    rows.insert(rows.end(), of_scene.begin(), of_scene.end());
-    for (const CellRun& cell : run.cells) {
-      if (cell.error) {
-        return tl::make_unexpected(*cell.error);
-      }
-      if (cell.result) {
-        frames.push_back({scene.name, cell.device, cell.size, cell.result->frame_passes});
-      }
-    }
-  }
-  report.series = benchSeries(frames, rows);
-  if (!work.peers.empty()) {
-    report.answers = benchAnswers(rows);
-  }
-  auto starts = measureStarts(work, work.request.scenes.front(), failures);
-  if (!starts) {
-    return tl::make_unexpected(starts.error());
-  }
-  report.starts = std::move(*starts);
-  return {};
 }
 
 Expected<void> measure(const BenchWork& work, Suite& suite, BenchReport& report,

@@ -6,6 +6,8 @@
 #include "check/read_expectations.h"
 #include "command/bench_work.h"
 #include "command/known_names.h"
+#include "command/native_cells.h"
+#include "native/trace.h"
 #include "scene/find_scene.h"
 
 namespace ssrkit {
@@ -15,7 +17,7 @@ namespace {
 constexpr int kParts = 5;  // devices and sizes take turns so often
 constexpr int kMostNamedThreads = 2;
 
-// Gates may hold a device against itself with another number of threads.
+// Gates may hold a device against itself with another number of threads, and against native peers.
 KnownNames namesForGates(const KitPaths& paths) {
   KnownNames known = knownNames(paths);
   const std::vector<std::string> plain = known.devices;
@@ -24,7 +26,32 @@ KnownNames namesForGates(const KitPaths& paths) {
       known.devices.push_back(fmt::format("{}@{}", device, threads));
     }
   }
+  for (const NativePeer& peer : nativePeers()) {
+    known.devices.push_back(peer.name);
+  }
   return known;
+}
+
+// What this CPU has no instructions for is taken out of the file, and told as skipped.
+std::vector<CheckResult> skipOtherCpus(TestFile& file) {
+  std::vector<CheckResult> skipped;
+  for (const NativePeer& peer : nativePeers()) {
+    if (peer.runs_here) {
+      continue;
+    }
+    std::erase(file.devices, peer.name);
+    std::erase_if(file.expectations, [&](const Expectation& expectation) {
+      const bool is_against = expectation.truth == Truth{TruthKind::kCross, peer.name};
+      if (is_against) {
+        CheckResult check{.id = file.id + "." + expectation.name, .outcome = Outcome::kSkip};
+        check.metric = row(expectation.metric).name;
+        check.message = fmt::format("skip: {}: this CPU has no {}", check.id, peer.instruction_set);
+        skipped.push_back(std::move(check));
+      }
+      return is_against;
+    });
+  }
+  return skipped;
 }
 
 std::vector<std::string> devicesOf(const std::vector<TestFile>& files,
@@ -32,7 +59,8 @@ std::vector<std::string> devicesOf(const std::vector<TestFile>& files,
   std::set<std::string> devices;
   for (const TestFile& file : files) {
     const std::vector<std::string>& of_file = file.devices.empty() ? run_devices : file.devices;
-    devices.insert(of_file.begin(), of_file.end());
+    const std::vector<std::string> workers = devicesAmong(of_file);
+    devices.insert(workers.begin(), workers.end());
   }
   return {devices.begin(), devices.end()};
 }
@@ -54,6 +82,8 @@ Expected<std::vector<CheckResult>> measureGates(const BenchWork& work) {
   }
   std::vector<CheckResult> checks = std::move(*of_processes);
   for (TestFile& file : *files) {
+    const std::vector<CheckResult> skipped = skipOtherCpus(file);
+    checks.insert(checks.end(), skipped.begin(), skipped.end());
     file.rounds = file.rounds > 0 ? work.options.rounds.value_or(file.rounds) : 0;
     const bool all = file.scenes == std::vector<std::string>{"all"};
     for (const std::string& scene : all ? builtInScenes(work.paths.scenes) : file.scenes) {

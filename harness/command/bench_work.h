@@ -29,6 +29,11 @@ struct BenchWork {
     const BenchWork& work, const std::vector<std::string>& devices, int parts,
     const std::vector<std::pair<std::string, std::string>>& variables = {});
 
+// bench_passes.cpp: every pass of every trace, the native peers beside them, and the starts. What went wrong
+// is among the run's checks: those are added to `failures`.
+[[nodiscard]] Expected<void> timePasses(const BenchWork& work, Suite& suite, BenchReport& report,
+                                        std::vector<CheckResult>& failures);
+
 // bench_starts.cpp: a fresh process of each device draws the scene once, with and without caches.
 [[nodiscard]] Expected<std::vector<BenchStart>> measureStarts(const BenchWork& work,
                                                               const SceneSource& source,

@@ -128,6 +128,7 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers) {
   frame.size = cell.result->camera.size;  // that of a crop is smaller than the cell's
   frame.input = cell.input;
   frame.variant = cell.variant;
+  frame.is_made = !cell.native_peer.empty();
   frame.shown_in = changesView(cell.variant) ? cell.variant : "";
   frame.frame_cases = cell.cases;
   // The plain frame is all cases'; that of a variant goes by its first case's name.

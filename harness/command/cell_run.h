@@ -19,6 +19,7 @@ namespace ssrkit {
 struct CellRun {
   std::string device;
   Size size;
+  std::string native_peer;         // that traced in the device's place, "" none (native_cells.h)
   std::string input;               // the device whose G-buffer was uploaded, "" its own
   std::string variant;             // of the job, "" the plain one
   std::vector<std::string> cases;  // that the job was drawn for, in order

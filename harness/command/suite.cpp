@@ -11,7 +11,7 @@
 #include "check/judge.h"
 #include "command/device_threads.h"
 #include "command/half_buffers.h"
-#include "command/scene_geometry.h"
+#include "command/native_cells.h"
 #include "command/suite_jobs.h"
 #include "frame/variants.h"
 
@@ -119,47 +119,29 @@ SceneRun Suite::run(const TestFile& test, const SceneSource& source) {
   return run;
 }
 
+WantedTruths Suite::wantedOf(const TestFile& test, const SceneSource& source, bool is_first) const {
+  const bool wants_depth = needsGeometry(test, false);
+  const bool wants_geometry = needsGeometry(test, true) || wants_depth;
+  return {.oracle = options_.always_oracle || needsOracle(test),
+          .geometry = source.gbuffer == nullptr &&
+                      (wants_geometry || (is_first && options_.geometry_of_first_device)),
+          .true_depth = wants_depth};
+}
+
 SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
   SceneRun run{.source = &source, .cells = {}, .answers = {}, .seen_answers = {}, .checks = {}, .ledger = {}};
-  const std::vector<std::string>& devices = test.devices.empty() ? options_.devices : test.devices;
-  std::vector<Size> sizes = test.sizes.empty() ? std::vector{options_.size} : test.sizes;
-  if (source.gbuffer != nullptr) {
-    sizes = {source.gbuffer->camera.size};
-  }
-  for (const Size size : sizes) {
-    for (const std::string& variant : variantsOf(test)) {
-      const Job job = jobFor(test, source, options_, size, variant);
-      // Every variant is given the same G-buffer, the one of the first.
-      const bool renders_own = test.input.empty() || variant == test.cases.front().variant;
-      for (const std::string& device : renders_own ? devices : std::vector<std::string>{}) {
-        if (test.input.empty() || device == test.input || comparesWithRendered(test)) {
-          runCell(test, device, job, "", run);
-        }
-      }
-      if (!test.input.empty()) {
-        runOverInput(test, devices, job, run);
-      }
-    }
+  const Sequence sequence = sequenceOf(test);
+  SceneGeometry geometry(source.file, timeOf(sequence, sequence.frame_count - 1));
+  TruthLane truths(geometry, test.rounds > 0);
+  const std::vector<Size> sizes = test.sizes.empty() ? std::vector{options_.size} : test.sizes;
+  for (const Size size : source.gbuffer != nullptr ? std::vector{source.gbuffer->camera.size} : sizes) {
+    runSize(test, source, size, truths, run);
   }
   for (int part = 1; part < options_.parts; ++part) {
     runAgain(test, source, part, run);
   }
-  const bool wants_oracle = options_.always_oracle || needsOracle(test);
-  const bool wants_depth = needsGeometry(test, false);
-  const bool wants_geometry = needsGeometry(test, true) || wants_depth;
-  const Sequence sequence = sequenceOf(test);
-  SceneGeometry geometry(source.file, timeOf(sequence, sequence.frame_count - 1));
-  for (CellRun& cell : run.cells) {
-    if (cell.result) {
-      cell.truth_of_trace.assign(cell.result->traces.size(), nullptr);
-    }
-    if (wants_oracle) {
-      addTruths(cell);
-    }
-    const bool is_first = options_.geometry_of_first_device && &cell == &run.cells.front();
-    if (source.gbuffer == nullptr && (wants_geometry || is_first)) {
-      addGeometry(cell, geometry, wants_depth);
-    }
+  truths.finish();
+  for (const CellRun& cell : run.cells) {
     addAnswers(cell, run.answers);
   }
   addSeenAnswers(variantsOf(test), run.seen_answers, run.answers);
@@ -168,6 +150,40 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
     addToLedger(run.answers, halfBuffers(), run.ledger);
   }
   return run;
+}
+
+// The cells of one size, and their truths.
+void Suite::runSize(const TestFile& test, const SceneSource& source, Size size, TruthLane& truths,
+                    SceneRun& run) {
+  const std::size_t first = run.cells.size();
+  std::size_t asked = first;
+  const auto askAboutNewCells = [&] {
+    for (; asked < run.cells.size(); ++asked) {
+      truths.add(run.cells[asked], wantedOf(test, source, asked == 0));
+    }
+  };
+  const std::vector<std::string>& named = test.devices.empty() ? options_.devices : test.devices;
+  const std::vector<std::string> devices = devicesAmong(named);
+  for (const std::string& variant : variantsOf(test)) {
+    const Job job = jobFor(test, source, options_, size, variant);
+    // Every variant is given the same G-buffer, the one of the first.
+    const bool renders_own = test.input.empty() || variant == test.cases.front().variant;
+    for (const std::string& device : renders_own ? devices : std::vector<std::string>{}) {
+      if (test.input.empty() || device == test.input || comparesWithRendered(test)) {
+        runCell(test, device, job, "", run);
+        askAboutNewCells();
+      }
+    }
+    if (!test.input.empty()) {
+      runOverInput(test, devices, job, run);
+      askAboutNewCells();
+    }
+  }
+  if (test.input.empty() && first < run.cells.size()) {
+    const int rounds = roundsOfPart(test.rounds, 0, options_.parts);
+    addNativeCells(nativePeersAmong(named), run.cells[first], rounds, run);
+    askAboutNewCells();
+  }
 }
 
 // Every device over the G-buffer that the test's input device rendered.

@@ -19,6 +19,7 @@
 #include "command/cell_run.h"
 #include "command/golden_shelf.h"
 #include "command/seen_answers.h"
+#include "command/truth_lane.h"
 #include "frame/gbuffer_files.h"
 #include "frame/job.h"
 #include "worker/supervisor.h"
@@ -104,6 +105,8 @@ class Suite {
   explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
   [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
   [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
+  [[nodiscard]] WantedTruths wantedOf(const TestFile& test, const SceneSource& source, bool is_first) const;
+  void runSize(const TestFile& test, const SceneSource& source, Size size, TruthLane& truths, SceneRun& run);
   void runAgain(const TestFile& test, const SceneSource& source, int part, SceneRun& run);
   void runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
                SceneRun& run);

@@ -4,6 +4,7 @@
 #include <future>
 #include <system_error>
 
+#include "command/native_cells.h"
 #include "command/suite.h"
 #include "command/suite_jobs.h"
 #include "scene/defaults.h"
@@ -54,9 +55,14 @@ void Suite::runAgain(const TestFile& test, const SceneSource& source, int part, 
     if (!cell.result || cell.error || !cell.input.empty()) {
       continue;
     }
+    const int rounds = roundsOfPart(test.rounds, part, options_.parts);
+    if (!cell.native_peer.empty()) {
+      timeNativeAgain(cell, rounds);
+      continue;
+    }
     Job job = jobFor(test, source, options_, cell.size, cell.variant);
     job.want_gbuffer = false;
-    job.timing.rounds = roundsOfPart(test.rounds, part, options_.parts);
+    job.timing.rounds = rounds;
     if (options_.progress) {
       options_.progress(fmt::format("{} {} on {}, again", test.id, job.id, cell.device));
     }

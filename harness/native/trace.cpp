@@ -1,6 +1,7 @@
 #include "native/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <ctime>
@@ -17,18 +18,35 @@ namespace {
 constexpr int kRowsAtOnce = 8;  // what a thread takes on
 constexpr double kInfinite = 1e30;
 
-std::vector<const HizKernel*> kernels() {
-  std::vector<const HizKernel*> list;
+struct KernelRow {
+  const char* peer;
+  const char* instruction_set;
+  const HizKernel* kernel;  // null where this CPU does not run it
+};
+
+// Widest first.
+std::array<KernelRow, 3> kernelRows() {
+  const HizKernel* avx512 = nullptr;
+  const HizKernel* avx2 = nullptr;
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    list.push_back(&kHizAvx512);
+    avx512 = &kHizAvx512;
   }
-  if (__builtin_cpu_supports("avx2")) {
-    list.push_back(&kHizAvx2);
-  }
+  avx2 = __builtin_cpu_supports("avx2") ? &kHizAvx2 : nullptr;
 #endif
-  list.push_back(&kHizBaseline);
+  return {{{"native-avx512", "AVX-512", avx512},
+           {"native-avx2", "AVX2", avx2},
+           {"native-baseline", "baseline", &kHizBaseline}}};
+}
+
+std::vector<const HizKernel*> kernels() {
+  std::vector<const HizKernel*> list;
+  for (const KernelRow& row : kernelRows()) {
+    if (row.kernel != nullptr) {
+      list.push_back(row.kernel);
+    }
+  }
   return list;
 }
 
@@ -98,10 +116,18 @@ void traceRows(const HizKernel& kernel, const HizScene& scene, const OracleInput
   }
 }
 
-std::int64_t processCpuNs() {
+std::int64_t clockNs(clockid_t clock) {
   timespec now{};
-  SSRKIT_CHECK_EQ(clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now), 0);
+  SSRKIT_CHECK_EQ(clock_gettime(clock, &now), 0);
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+NativeTime timeNow() {
+  return {.cpu_ns = clockNs(CLOCK_PROCESS_CPUTIME_ID), .wall_ns = clockNs(CLOCK_MONOTONIC)};
+}
+
+NativeTime between(const NativeTime& begin, const NativeTime& end) {
+  return {.cpu_ns = end.cpu_ns - begin.cpu_ns, .wall_ns = end.wall_ns - begin.wall_ns};
 }
 
 void traceAll(const HizKernel& kernel, const HizScene& scene, const OracleInput& input, int thread_count,
@@ -120,6 +146,15 @@ void traceAll(const HizKernel& kernel, const HizScene& scene, const OracleInput&
 }
 
 }  // namespace
+
+std::vector<NativePeer> nativePeers() {
+  std::vector<NativePeer> peers;
+  for (const KernelRow& row : kernelRows()) {
+    peers.push_back(
+        {.name = row.peer, .instruction_set = row.instruction_set, .runs_here = row.kernel != nullptr});
+  }
+  return peers;
+}
 
 std::vector<std::string> nativeInstructionSets() {
   std::vector<std::string> names;
@@ -143,13 +178,13 @@ Expected<NativeTrace> traceNative(const OracleInput& input, int thread_count,
   NativeTrace result{.record = {input.camera->size, {}},
                      .instruction_set = (*kernel)->instruction_set,
                      .lane_count = (*kernel)->lane_count};
-  const std::int64_t start_ns = processCpuNs();
+  const NativeTime start = timeNow();
   const DepthPyramid pyramid = buildDepthPyramid(*input.dist_view, input.parameters.max_mip);
-  const std::int64_t built_ns = processCpuNs();
+  const NativeTime built = timeNow();
   result.record.rays.resize(input.dist_view->texelCount());
   traceAll(**kernel, sceneOf(input, pyramid), input, thread_count, result.record);
-  result.pyramid_cpu_ns = built_ns - start_ns;
-  result.trace_cpu_ns = processCpuNs() - built_ns;
+  result.pyramid = between(start, built);
+  result.trace = between(built, timeNow());
   return result;
 }
 

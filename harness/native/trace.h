@@ -12,14 +12,28 @@
 
 namespace ssrkit {
 
+struct NativeTime {
+  std::int64_t cpu_ns = 0;  // of the process, all threads
+  std::int64_t wall_ns = 0;
+};
+
 struct NativeTrace {
   RayRecord record;
   std::string instruction_set;  // "AVX-512"
   int lane_count = 0;           // rays marched at once, on each thread
-  // CPU time of the process, all threads.
-  std::int64_t pyramid_cpu_ns = 0;
-  std::int64_t trace_cpu_ns = 0;
+  NativeTime pyramid;
+  NativeTime trace;
 };
+
+// One set of instructions that the tracer is compiled for.
+struct NativePeer {
+  std::string name;             // where devices are named: "native-avx512"
+  std::string instruction_set;  // for traceNative: "AVX-512"
+  bool runs_here = false;       // this CPU has the instructions, and the kit was built for it
+};
+
+// The same list on every machine, widest first.
+[[nodiscard]] std::vector<NativePeer> nativePeers();
 
 // What this CPU runs, widest first: names for traceNative.
 [[nodiscard]] std::vector<std::string> nativeInstructionSets();

@@ -30,6 +30,13 @@ Json seriesOf(const BenchSeries& series, const BenchReport& report) {
   return json;
 }
 
+Json overNativeOf(const BenchNativeRatio& over) {
+  Json json = keyOf(*over.series);
+  json["peer"] = over.peer;
+  json["ratio"] = intervalOf(over.ratio);
+  return json;
+}
+
 Json startOf(const BenchStart& start) {
   return {{"scene", start.scene},           {"device", start.device},
           {"has_caches", start.has_caches}, {"create_ns", start.create_ns},
@@ -111,6 +118,7 @@ std::string benchJson(const BenchReport& report) {
       {"devices", listOf(report.devices, deviceOf)},
       {"starts", listOf(report.starts, startOf)},
       {"series", listOf(report.series, [&](const BenchSeries& one) { return seriesOf(one, report); })},
+      {"over_natives", listOf(report.over_natives, overNativeOf)},
       {"answers", listOf(report.answers, answerOf)},
       {"scaling", listOf(report.scalings, scalingOf)},
       {"baseline", report.baseline.empty() ? Json(nullptr) : Json(report.baseline)},

@@ -86,6 +86,13 @@ struct BenchAnswer {
   double max_lookups = 0.0;
 };
 
+// A device's trace held against a native peer's, over the same rays.
+struct BenchNativeRatio {
+  const BenchSeries* series = nullptr;
+  std::string peer;                    // "native-avx512"
+  std::optional<RatioInterval> ratio;  // of CPU time; none with fewer than 8 rounds
+};
+
 enum class BenchMove { kUnchanged, kFaster, kSlower, kInconclusive };
 [[nodiscard]] const char* name(BenchMove move);
 
@@ -104,6 +111,7 @@ struct BenchReport {
   std::vector<DeviceRow> devices;
   std::vector<BenchStart> starts;
   std::vector<BenchSeries> series;
+  std::vector<BenchNativeRatio> over_natives;
   std::vector<BenchAnswer> answers;  // with peers
   std::vector<BenchScaling> scalings;
   std::string baseline;              // the file's name, empty without
@@ -131,6 +139,10 @@ struct BenchReport {
 // other, and its pixels as nothing but writes. None unless the rooflines were timed with it.
 [[nodiscard]] std::optional<RatioInterval> rooflineMultiple(const BenchSeries& trace,
                                                             std::span<const BenchSeries> all);
+
+// Of every trace that a native peer has made too.
+[[nodiscard]] std::vector<BenchNativeRatio> ratiosOverNatives(const std::vector<BenchSeries>& series,
+                                                              std::span<const std::string> natives);
 
 // The whole interval beyond 1 by more than the margin is a move, the whole of it within is none.
 [[nodiscard]] BenchMove moveOf(const std::optional<RatioInterval>& ratio, double margin);

@@ -36,6 +36,21 @@ std::string msText(double ns) {
   return ns > 0.0 ? measureText(ns * kMsPerNs) : "-";
 }
 
+std::string nativesText(const BenchReport& report) {
+  std::string text =
+      report.over_natives.empty() ? "" : "traces over the same rays by the CPU's own vectors, CPU time\n";
+  for (const BenchNativeRatio& over : report.over_natives) {
+    const BenchSeries& series = *over.series;
+    text +=
+        fmt::format("  {:<58}{:<16}{:>7}{:>17}\n",
+                    cellText(fmt::format("{} {}x{} {} {} {}", series.scene, series.size.width,
+                                         series.size.height, series.device, series.stage, series.case_name),
+                             57),
+                    over.peer, over.ratio ? measureText(over.ratio->median) : "-", intervalText(over.ratio));
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string answersText(const BenchReport& report) {
   std::string text;
   for (const BenchAnswer& answer : report.answers) {

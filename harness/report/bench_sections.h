@@ -15,6 +15,7 @@ namespace ssrkit {
 [[nodiscard]] std::string msText(double ns);
 
 // Each ends with an empty line, or is empty where there is nothing to tell.
+[[nodiscard]] std::string nativesText(const BenchReport& report);
 [[nodiscard]] std::string answersText(const BenchReport& report);
 [[nodiscard]] std::string startsText(const BenchReport& report);
 [[nodiscard]] std::string scalingText(const BenchReport& report);

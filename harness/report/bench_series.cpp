@@ -129,6 +129,23 @@ std::optional<RatioInterval> cpuRatio(const BenchSeries& series, const BenchSeri
   return pairedRatio(clockOf(series.steady, &PassTime::cpu_ns), clockOf(other.steady, &PassTime::cpu_ns));
 }
 
+std::vector<BenchNativeRatio> ratiosOverNatives(const std::vector<BenchSeries>& series,
+                                                std::span<const std::string> natives) {
+  std::vector<BenchNativeRatio> ratios;
+  for (const BenchSeries& trace : series) {
+    const bool is_native = std::ranges::find(natives, trace.device) != natives.end();
+    for (const std::string& peer : is_native ? std::span<const std::string>{} : natives) {
+      BenchSeries sought = trace;
+      sought.device = peer;
+      const BenchSeries* const made = sisterOf(sought, "trace", series);
+      if (trace.pass == "trace" && made != nullptr) {
+        ratios.push_back({&trace, peer, cpuRatio(trace, *made)});
+      }
+    }
+  }
+  return ratios;
+}
+
 std::optional<RatioInterval> rooflineMultiple(const BenchSeries& trace, std::span<const BenchSeries> all) {
   const BenchSeries* const fetches = sisterOf(trace, "bench_dependent_fetch", all);
   const BenchSeries* const writes = sisterOf(trace, "bench_write", all);

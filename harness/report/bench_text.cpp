@@ -106,8 +106,8 @@ std::string seriesText(const BenchReport& report) {
 }  // namespace
 
 std::string benchText(const BenchReport& report) {
-  return seriesText(report) + answersText(report) + startsText(report) + scalingText(report) +
-         changesText(report) + gatesText(report);
+  return seriesText(report) + nativesText(report) + answersText(report) + startsText(report) +
+         scalingText(report) + changesText(report) + gatesText(report);
 }
 
 }  // namespace ssrkit

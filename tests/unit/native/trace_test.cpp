@@ -130,9 +130,24 @@ TEST_P(NativeTraceTest, ItsTimesAreOfTheCpu) {
   const Traced of_shader = traced(GetParam(), {161, 91}, {{.thickness_m = 0.3}});
   const auto native = traceNative(of_shader.input(0));
   ASSERT_TRUE(native.has_value());
-  EXPECT_GT(native->pyramid_cpu_ns, 0);
-  EXPECT_GT(native->trace_cpu_ns, 0);
+  EXPECT_GT(native->pyramid.cpu_ns, 0);
+  EXPECT_GT(native->trace.cpu_ns, 0);
+  EXPECT_GT(native->pyramid.wall_ns, 0);
+  EXPECT_GT(native->trace.wall_ns, 0);
   EXPECT_EQ(native->instruction_set, nativeInstructionSets().front());
+}
+
+TEST(NativePeers, AreTheSameEverywhereAndRunWhereTheirInstructionsDo) {
+  std::vector<std::string> names;
+  std::vector<std::string> run_here;
+  for (const NativePeer& peer : nativePeers()) {
+    names.push_back(peer.name);
+    if (peer.runs_here) {
+      run_here.push_back(peer.instruction_set);
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"native-avx512", "native-avx2", "native-baseline"}));
+  EXPECT_EQ(run_here, nativeInstructionSets());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, NativeTraceTest, testing::Values("clutter", "corridor"),

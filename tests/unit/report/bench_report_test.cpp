@@ -83,6 +83,27 @@ TEST(BenchSeries, TheLimitIsLookupsAsFetchesAndPixelsAsWrites) {
   EXPECT_DOUBLE_EQ(multiple->median, 4000.0);
 }
 
+TEST(BenchNatives, HoldEveryDevicesTraceAgainstThePeersOfTheSameRays) {
+  BenchReport made = report();
+  BenchSeries native = seriesOf("hiz", "trace", 2 * kMs);
+  native.device = "native-avx2";
+  made.series.push_back(native);
+  native.device = "native-avx512";
+  native.case_name = "another";
+  made.series.push_back(native);
+  made.over_natives =
+      ratiosOverNatives(made.series, std::vector<std::string>{"native-avx512", "native-avx2"});
+  ASSERT_EQ(made.over_natives.size(), 1U);
+  EXPECT_EQ(made.over_natives[0].series, &made.series[1]);
+  EXPECT_EQ(made.over_natives[0].peer, "native-avx2");
+  ASSERT_TRUE(made.over_natives[0].ratio.has_value());
+  EXPECT_EQ(made.over_natives[0].ratio->median, 2.0);
+  EXPECT_NE(benchText(made).find("native-avx2"), std::string::npos);
+  const auto json = nlohmann::json::parse(benchJson(made));
+  EXPECT_EQ(json.at("over_natives").at(0).at("peer"), "native-avx2");
+  EXPECT_EQ(json.at("over_natives").at(0).at("ratio").at("median"), 2.0);
+}
+
 TEST(BenchMove, IsNamedOnlyWhereTheWholeIntervalHasMoved) {
   const auto move = [](double low, double high) {
     return std::string(name(moveOf(RatioInterval{(low + high) / 2.0, low, high, low, high}, 0.05)));
