@@ -5,8 +5,11 @@
 // In: dist_view, normal_view. Out: ao_noisy, r the visibility, g dist_view for the blur to tell edges by. Background:
 // 1.
 #version 450
+#extension GL_EXT_control_flow_attributes : require
 #include "ssr_ordered.glsl"
 #include "ssr_spaces.glsl"
+
+layout(constant_id = 0) const int ao_sample_count = 8;
 
 layout(std140, binding = 0) uniform AoBlock {
   vec2 size_px;
@@ -17,7 +20,6 @@ layout(std140, binding = 0) uniform AoBlock {
   float near_m;
   float ao_radius_m;
   float ao_thickness_m;
-  int ao_sample_count;
 };
 
 layout(binding = 1) uniform sampler2D dist_view;
@@ -40,14 +42,14 @@ float pattern_index(ivec2 texel) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  float dist = texelFetch(dist_view, texel, 0).x;
+  float dist = load_dist_view(vec2(texel));
   if (isinf(dist)) {
     ao_noisy = vec2(1.0, dist);
     return;
   }
   PixelProjection projection = PixelProjection(px_scale, px_offset, view_per_px);
   vec3 p_view = position_px_to_view(vec2(texel) + 0.5, dist, projection);
-  vec3 normal = ordered_normalize(texelFetch(normal_view, texel, 0).xyz);
+  vec3 normal = ordered_normalize(textureLod(normal_view, (vec2(texel) + 0.5) * texel_uv, 0.0).xyz);
   float index = pattern_index(texel);
   vec3 noise = fract((vec3(1.0, 7.0, 5.0) * index + 0.5) / 16.0);  // sixteen different ones of each
   AoParameters parameters = AoParameters(ao_radius_m, ao_thickness_m, ao_sample_count, size_px, near_m);

@@ -8,14 +8,18 @@
 //      dist_view  metres (background: +inf, by the clear)
 //      motion     pixels: p_px now minus p_px of the same surface point in the previous frame; +inf where the point was
 //                 not before the near plane then (background: 0, by the clear)
-// A material is one row of material_table: base colour; metallic, roughness, flags (material_flags.glsl), alpha cutoff
-// (negative: opaque); emissive, normal scale.
 #version 450
 #include "material_flags.glsl"
 #include "ssr_motion.glsl"
 #include "ssr_ordered.glsl"
 
-layout(binding = 1) uniform sampler2D material_table;
+// Of the scene, 0 or 1: whether any of its materials has one. Software rasterisers sample in the branches that no pixel
+// takes, too.
+layout(constant_id = 0) const int has_base_colour_texture = 1;
+layout(constant_id = 1) const int has_metallic_roughness_texture = 1;
+layout(constant_id = 2) const int has_normal_texture = 1;
+layout(constant_id = 3) const int has_emissive_texture = 1;
+
 layout(binding = 2) uniform sampler2D base_colour_texture;
 layout(binding = 3) uniform sampler2D metallic_roughness_texture;
 layout(binding = 4) uniform sampler2D normal_texture;
@@ -26,9 +30,11 @@ layout(location = 1) in vec3 normal_view;
 layout(location = 2) in vec4 tangent_view;
 layout(location = 3) in vec2 uv;
 layout(location = 4) flat in vec3 face_normal_view;
-layout(location = 5) flat in float material_index;
+layout(location = 5) flat in vec4 base_colour;
 layout(location = 6) in vec3 p_previous_view;
 layout(location = 7) flat in vec3 px_scale_and_near;
+layout(location = 8) flat in vec4 surface;
+layout(location = 9) flat in vec4 emissive_and_scale;
 
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_and_clearance;
@@ -38,9 +44,9 @@ layout(location = 4) out float dist_view;
 layout(location = 5) out vec2 motion;
 
 // Shading normal in view space, turned with the face (side is -1 on the back of a double-sided triangle).
-vec3 shading_normal(float side, float normal_scale, bool has_normal_texture) {
+vec3 shading_normal(float side, float normal_scale, bool is_mapped) {
   vec3 normal = side * ordered_normalize(normal_view);
-  if (!has_normal_texture) {
+  if (!is_mapped) {
     return normal;
   }
   vec3 tangent = ordered_normalize(tangent_view.xyz - ordered_dot(normal, tangent_view.xyz) * normal);
@@ -51,27 +57,24 @@ vec3 shading_normal(float side, float normal_scale, bool has_normal_texture) {
 }
 
 void main() {
-  int row = int(material_index);
-  vec4 base_colour = texelFetch(material_table, ivec2(0, row), 0);
-  vec4 surface = texelFetch(material_table, ivec2(1, row), 0);
-  vec4 emissive_and_scale = texelFetch(material_table, ivec2(2, row), 0);
-
   float side = ordered_dot(face_normal_view, p_view) > 0.0 ? -1.0 : 1.0;
-  bool has_colour_texture = material_has(surface, MATERIAL_BASE_COLOUR_TEXTURE);
-  vec4 sampled_colour = has_colour_texture ? base_colour * texture(base_colour_texture, uv) : base_colour;
+  bool has_colour = has_base_colour_texture != 0 && material_has(surface, MATERIAL_BASE_COLOUR_TEXTURE);
+  vec4 sampled_colour = has_colour ? base_colour * texture(base_colour_texture, uv) : base_colour;
   if ((side < 0.0 && !material_has(surface, MATERIAL_DOUBLE_SIDED)) || sampled_colour.a < surface.a) {
     discard;
   }
-  vec3 normal = shading_normal(side, emissive_and_scale.a, material_has(surface, MATERIAL_NORMAL_TEXTURE));
+  bool has_normal = has_normal_texture != 0 && material_has(surface, MATERIAL_NORMAL_TEXTURE);
+  vec3 normal = shading_normal(side, emissive_and_scale.a, has_normal);
   vec3 reflected = ordered_reflect(ordered_normalize(p_view), normal);
-  bool has_metal_texture = material_has(surface, MATERIAL_METALLIC_ROUGHNESS_TEXTURE);
-  vec4 roughness_metal = has_metal_texture ? texture(metallic_roughness_texture, uv) : vec4(1.0);
+  bool has_metal =
+      has_metallic_roughness_texture != 0 && material_has(surface, MATERIAL_METALLIC_ROUGHNESS_TEXTURE);
+  vec4 roughness_metal = has_metal ? texture(metallic_roughness_texture, uv) : vec4(1.0);
   albedo = vec4(sampled_colour.rgb, 1.0);
   normal_and_clearance = vec4(normal, ordered_dot(reflected, side * face_normal_view));
   float mirror = material_has(surface, MATERIAL_MIRROR) ? 1.0 : 0.0;
   material = vec4(surface.x * roughness_metal.b, surface.y * roughness_metal.g, mirror, 1.0);
-  bool has_emissive_texture = material_has(surface, MATERIAL_EMISSIVE_TEXTURE);
-  emission = vec4(emissive_and_scale.rgb * (has_emissive_texture ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
+  bool has_emissive = has_emissive_texture != 0 && material_has(surface, MATERIAL_EMISSIVE_TEXTURE);
+  emission = vec4(emissive_and_scale.rgb * (has_emissive ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
   dist_view = -p_view.z;
   motion = motion_px(p_view, p_previous_view, px_scale_and_near.xy, px_scale_and_near.z);
 }

@@ -18,6 +18,10 @@ const float LARGEST_HALF = 65504.0;
 const float AMBIENT = 0.25;  // of the sky's horizon colour, on every side
 const float MIN_ROUGHNESS = 0.15;  // a sharper highlight of an infinitely small light is one flickering pixel
 
+// Of the scene: loops of a known length are written out, and a light's members are read at once.
+layout(constant_id = 0) const int directional_count = 1;
+layout(constant_id = 1) const int point_count = 0;
+
 layout(std140, binding = 0) uniform LightBlock {
   vec2 px_offset;
   vec2 view_per_px;
@@ -25,8 +29,6 @@ layout(std140, binding = 0) uniform LightBlock {
   vec3 up_view;  // the world's up
   vec3 sky_horizon;
   vec3 sky_zenith;
-  int directional_count;
-  int point_count;
   vec4 directional_dir_view[MAX_LIGHTS];  // the way the light travels
   vec4 directional_radiance[MAX_LIGHTS];
   vec4 point_p_view[MAX_LIGHTS];    // a: range in metres, 0 unlimited
@@ -77,10 +79,10 @@ void main() {
                             base_colour * (1.0 - metal_rough.r), mix(vec3(0.04), base_colour, metal_rough.r),
                             2.0 / (alpha * alpha) - 2.0);
   vec3 radiance = textureLod(emission, uv, 0.0).rgb + (AMBIENT * surface.diffuse) * sky_horizon;
-  for (int i = 0; i < min(directional_count, MAX_LIGHTS); ++i) {
+  for (int i = 0; i < directional_count; ++i) {
     radiance += reflected_light(surface, -directional_dir_view[i].xyz, directional_radiance[i].rgb);
   }
-  for (int i = 0; i < min(point_count, MAX_LIGHTS); ++i) {
+  for (int i = 0; i < point_count; ++i) {
     vec3 offset_m = point_p_view[i].xyz - p_view;
     float distance_m = sqrt(ordered_dot(offset_m, offset_m));
     vec3 to_light = offset_m / max(distance_m, 1e-6);

@@ -13,6 +13,10 @@
 const int MAX_LIGHTS = 8;
 const float LARGEST_HALF = 65504.0;
 
+// Of the scene: loops of a known length are written out, and a light's members are read at once.
+layout(constant_id = 0) const int directional_count = 1;
+layout(constant_id = 1) const int point_count = 0;
+
 layout(std140, binding = 0) uniform LightBlock {
   vec2 px_offset;
   vec2 view_per_px;
@@ -22,8 +26,6 @@ layout(std140, binding = 0) uniform LightBlock {
   float environment_mip_count;
   float irradiance_side;
   float split_sum_side;
-  int directional_count;
-  int point_count;
   vec4 directional_dir_view[MAX_LIGHTS];  // the way the light travels
   vec4 directional_radiance[MAX_LIGHTS];
   vec4 point_p_view[MAX_LIGHTS];     // a: range in metres, 0 unlimited
@@ -73,18 +75,16 @@ Arriving from_point(int i, vec3 p_view) {
   return Arriving(to_light, point_intensity[i].rgb * falloff);
 }
 
-// All lights in one loop that tests at its end: one that tests first runs its body once more for nothing on llvmpipe,
-// and this body is half of the pass.
 vec3 all_lights(GgxSurface surface, vec2 split, vec3 p_view, float first_visible) {
-  int directional = min(directional_count, MAX_LIGHTS);
-  int count = directional + min(point_count, MAX_LIGHTS);
   vec3 radiance = vec3(0.0);
-  int i = 0;
-  do {
-    Arriving light = i < directional ? from_directional(i, first_visible) : from_point(max(i - directional, 0), p_view);
-    vec3 reflected = reflected_light(surface, light.to_light, light.irradiance, split);
-    radiance += i < count ? reflected : vec3(0.0);
-  } while (++i < count);
+  for (int i = 0; i < directional_count; ++i) {
+    Arriving light = from_directional(i, first_visible);
+    radiance += reflected_light(surface, light.to_light, light.irradiance, split);
+  }
+  for (int i = 0; i < point_count; ++i) {
+    Arriving light = from_point(i, p_view);
+    radiance += reflected_light(surface, light.to_light, light.irradiance, split);
+  }
   return radiance;
 }
 

@@ -46,7 +46,8 @@ void main() {
   vec3 p_view = position_px_to_view(texel + 0.5, dist, projection);
   vec3 shading_normal = ordered_normalize(texelFetch(normal_view, ivec2(texel), 0).xyz);
   vec3 normal = geometric_normal(p_view, shading_normal, texel, projection, size_px);
-  ShadowMap map = ShadowMap(shadow_cascades, shadow_side_texels, shadow_near_m, shadow_range_m);
+  ShadowMap map = ShadowMap(shadow_cascades[0], shadow_cascades[1], shadow_cascades[2], shadow_cascades[3],
+                            shadow_side_texels, shadow_near_m, shadow_range_m);
   vec3 p_light = ordered_transform(light_from_view, vec4(p_view, 1.0)).xyz;
   vec3 normal_light = ordered_transform(light_from_view, vec4(normal, 0.0)).xyz;
   float shading_cosine = -ordered_transform(light_from_view, vec4(shading_normal, 0.0)).z;

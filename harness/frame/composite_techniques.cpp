@@ -6,16 +6,25 @@ namespace ssrkit {
 
 namespace {
 
-FramePass resolve() {
-  return {.name = "resolve", .outputs = {"reflection"}};
-}
-
 FramePass composite(const std::string& reflection) {
   return {.name = "composite", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
 }
 
 FramePass compositeReplace(const std::string& reflection) {
   return {.name = "composite_replace", .outputs = {"composite"}, .inputs = {{"reflection", reflection}}};
+}
+
+// Sharp reflections by their confidence over a copy of `lit`: nothing is computed where no ray starts.
+std::vector<FramePass> replaceByConfidence() {
+  FramePass replaced = compositeReplace("reflection_weighed");
+  replaced.where_rays_start = true;
+  return {resolvePass(),
+          confidencePass(),
+          {.name = "composite_base",
+           .outputs = {"composite"},
+           .inputs = {{"source", "lit"}},
+           .shader = "copy.frag"},
+          std::move(replaced)};
 }
 
 // The passes with one more, which puts what they made into the picture.
@@ -51,7 +60,7 @@ std::vector<FramePass> coneMips() {
 // Ends with the image reflection_blurred_wide.
 std::vector<FramePass> glossBlur() {
   std::vector<FramePass> passes = {
-      resolve(),
+      resolvePass(),
       confidencePass(),
       {.name = "blur_guide", .outputs = {"blur_guide"}, .constants = {{"max_radius_px", 48.0}}}};
   for (const auto& pair : {blurPair("blur_narrow", "reflection_weighed", "reflection_blurred", 1),
@@ -67,28 +76,28 @@ std::vector<Technique> compositeTechniques() {
   return {
       {.name = "mirror",
        .about = "what each ray hit, weighted by Fresnel; the sky where it hit nothing",
-       .after_trace = {resolve(), {.name = "composite", .outputs = {"composite"}}}},
+       .after_trace = {resolvePass(), {.name = "composite", .outputs = {"composite"}}}},
       {.name = "confidence",
        .about = "mirror, faded where the screen's knowledge ends",
-       .after_trace = {resolve(), confidencePass(), composite("reflection_weighed")}},
+       .after_trace = {resolvePass(), confidencePass(), composite("reflection_weighed")}},
       {.name = "additive",
        .about = "adds the hit's colour by a visibility from specular and shininess (INF584)",
-       .after_trace = {resolve(),
+       .after_trace = {resolvePass(),
                        {.name = "visibility", .outputs = {"visibility"}},
                        {.name = "composite_additive", .outputs = {"composite"}}}},
       {.name = "metallic",
        .about = "adds the hit's colour by metalness (KongEngine)",
-       .after_trace = {resolve(), {.name = "composite_metallic", .outputs = {"composite"}}}},
+       .after_trace = {resolvePass(), {.name = "composite_metallic", .outputs = {"composite"}}}},
       {.name = "metal_mask",
        .about = "traces metals only, and blends by Fresnel and the hit's distance from the screen's centre",
        .before_trace = {{.name = "metal_mask", .outputs = {"material_masked"}}},
        .trace_inputs = {{"material", "material_masked"}},
-       .after_trace = {resolve(), {.name = "composite_masked", .outputs = {"composite"}}}},
+       .after_trace = {resolvePass(), {.name = "composite_masked", .outputs = {"composite"}}}},
       {.name = "replace",
        .about =
            "each reflection in the place of the environment's, in the metallic-roughness sum, by confidence",
        .frame = "full",
-       .after_trace = {resolve(), confidencePass(), compositeReplace("reflection_weighed")}},
+       .after_trace = replaceByConfidence()},
   };
 }
 
@@ -110,7 +119,7 @@ std::vector<Technique> filterTechniques() {
        .after_trace = endingWith(glossBlur(), compositeReplace("reflection_blurred_wide"))},
       {.name = "push_pull",
        .about = "holes of the reflection filled from the nearest pixels that are known",
-       .after_trace = {resolve(),
+       .after_trace = {resolvePass(),
                        confidencePass(),
                        {.name = "copy_reflection",
                         .outputs = {"known"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "frame/gbuffer_source.h"
+#include "frame/given_gbuffer.h"
 #include "frame/shadow_map.h"
 
 namespace ssrkit {
@@ -24,7 +25,9 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   drawing.scene_ = scene;
   if (scene != nullptr) {
     progress("compile gbuffer");
-    const auto program = programs.get(gbufferPass(), settings);
+    PassRow gbuffer = gbufferPass();
+    gbuffer.constants = textureConstants(scene->scene);
+    const auto program = programs.get(gbuffer, settings);
     if (!program) {
       return tl::make_unexpected(program.error());
     }
@@ -34,6 +37,10 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   std::erase_if(passes, [&](const FramePass& pass) {
     return std::ranges::find(given_images, pass.outputs.front()) != given_images.end();
   });
+  const auto lights = lightConstants(scene != nullptr ? scene->scene : sceneOfGiven());
+  for (FramePass& pass : passes) {
+    pass.constants.insert(lights.begin(), lights.end());
+  }
   auto prepared = preparePasses(programs, settings, passes, progress);
   if (!prepared) {
     return tl::make_unexpected(prepared.error());

@@ -135,7 +135,8 @@ PassRow passRow(const FramePass& pass) {
               .colour_formats = {},
               .has_depth = !pass.depth.empty(),
               .vertex_attributes = {},
-              .vertex_stride_bytes = 0};
+              .vertex_stride_bytes = 0,
+              .constants = pass.constants};
   for (const std::string& output : pass.outputs) {
     row.colour_formats.push_back(frameImageRow(output).format);
   }
@@ -197,7 +198,8 @@ Expected<PassTime> drawPass(Device& device, const PreparedPass& pass, FrameImage
                               .targets = targets->colour,
                               .depth = targets->depth,
                               .viewport = {0, 0, size.width, size.height},
-                              .aliases = *aliases},
+                              .aliases = *aliases,
+                              .layer = pass.pass.layer},
                              images, *own_values);
   for (std::size_t i = 0; time && i < pass.pass.swaps_with.size(); ++i) {
     images.swap(pass.pass.outputs[i], pass.pass.swaps_with[i]);

@@ -18,16 +18,21 @@ struct FramePass {
   std::string name;                  // in reports and for --replace
   std::vector<std::string> outputs;  // rows of frame_images.cpp, by the shader's output locations
   std::map<std::string, std::string> inputs = {};  // sampler to image, where it is not the sampler's own name
-  std::map<std::string, UniformConstant> constants = {};  // uniforms that have these values in this pass only
-  std::string shader = {};                                // entry file; empty: NAME.frag
+  // Uniforms and specialisation constants that have these values in this pass only.
+  std::map<std::string, UniformConstant> constants = {};
+  std::string shader = {};  // entry file; empty: NAME.frag
   // Drawn once for each mip of its only output but the first, with the mip before as the sampler `finer`.
   bool fills_mips = false;
   // Afterwards its outputs and these images, in order and each pair of one kind, change places: so a sum over
   // samples is read under one name and written under the other, draw after draw.
   std::vector<std::string> swaps_with = {};
+  // Drawn only where rays start, after the trace, and over its depth (frame/trace_pass.h): elsewhere its
+  // outputs keep their clear, or what they hold.
+  bool where_rays_start = false;
   // A row whose depth is tested and written, so that what a pass has covered later ones leave alone: the
-  // triangle is nearer than the clear.
+  // triangle is nearer than the clear, and nearer by each layer.
   std::string depth = {};
+  int layer = 0;
   // Of its outputs and its depth: what is cleared to the rows' values before it is drawn.
   std::vector<std::string> clears = {};
   std::map<std::string, std::string> values = {};  // uniforms that have the kit's value of another name

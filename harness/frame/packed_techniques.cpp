@@ -1,5 +1,7 @@
 #include "frame/packed_techniques.h"
 
+#include "frame/shared_passes.h"
+
 namespace ssrkit {
 
 namespace {
@@ -11,8 +13,7 @@ Technique packed(const std::string& name, const std::string& about, std::vector<
           .about = about,
           .before_pyramid = std::move(passes),
           .trace_inputs = std::move(trace_inputs),
-          .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
-                          {.name = "composite", .outputs = {"composite"}}}};
+          .after_trace = {resolvePass(), {.name = "composite", .outputs = {"composite"}}}};
 }
 
 }  // namespace

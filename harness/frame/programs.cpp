@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <variant>
 
 #include "base/text.h"
 #include "device/pass_clock.h"
@@ -17,6 +19,31 @@ std::vector<std::uint32_t> constantIds(const ShaderInterface& interface) {
     ids.push_back(constant.id);
   }
   return ids;
+}
+
+// The bits of a constant as the shader declares it.
+std::uint32_t bitsOf(const UniformConstant& value, ScalarType type) {
+  const double number = std::visit([](auto given) { return static_cast<double>(given); }, value);
+  return type == ScalarType::kFloat ? std::bit_cast<std::uint32_t>(static_cast<float>(number))
+                                    : static_cast<std::uint32_t>(static_cast<std::int32_t>(number));
+}
+
+// What a pass's constants make of those that its shaders declare.
+void specialise(ProgramDesc& desc, const PassRow& pass, const ShaderInterface& interface) {
+  for (const SpecConstantInfo& declared : interface.spec_constants) {
+    if (const auto given = pass.constants.find(declared.name); given != pass.constants.end()) {
+      desc.spec_constants.push_back({declared.id, bitsOf(given->second, declared.type)});
+    }
+  }
+}
+
+std::string keyOf(const std::map<std::string, UniformConstant>& constants) {
+  std::string key;
+  for (const auto& [name, value] : constants) {
+    key +=
+        fmt::format("|{}={}", name, std::visit([](auto given) { return fmt::format("{}", given); }, value));
+  }
+  return key;
 }
 
 // A shader put in a pass's place must write what the pass writes: the attachments' count and kinds.
@@ -58,9 +85,9 @@ Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
 Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
   const auto replacement = settings.replacements.find(pass.name);
   const bool is_replaced = replacement != settings.replacements.end();
-  const std::string key =
-      fmt::format("{}|{}|{}|{}", pass.name, settings.shader_root.string(),
-                  is_replaced ? replacement->second.string() : "", static_cast<int>(settings.form));
+  const std::string key = fmt::format("{}|{}|{}|{}|{}{}", pass.name, settings.shader_root.string(),
+                                      is_replaced ? replacement->second.string() : "",
+                                      static_cast<int>(settings.form), pass.has_depth, keyOf(pass.constants));
   const auto kept = kept_.find(key);
   if (kept != kept_.end() && !is_replaced) {
     return &kept->second;
@@ -120,6 +147,8 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
                    .vertex_stride_bytes = pass.vertex_stride_bytes,
                    .colour_formats = pass.colour_formats,
                    .has_depth = pass.has_depth};
+  specialise(desc, pass, vertex->interface);
+  specialise(desc, pass, fragment->interface);
   for (const SamplerBinding& sampler : program.samplers) {
     desc.sampler_bindings.push_back(sampler.binding);
   }
@@ -182,7 +211,7 @@ Expected<PassTime> drawFullScreen(Device& device, const Program& program, const 
                 .colour = pass.targets,
                 .depth = pass.depth,
                 .viewport = pass.viewport,
-                .draws = {DrawCall{}}};
+                .draws = {DrawCall{.first_vertex = 3 * static_cast<std::uint32_t>(pass.layer)}}};
   return device.draw(desc);
 }
 

@@ -29,6 +29,9 @@ struct PassRow {
   bool has_depth = false;
   std::vector<VertexAttribute> vertex_attributes;
   std::uint32_t vertex_stride_bytes = 0;
+  // Values of specialisation constants, by name; those that no shader declares change nothing, and those that
+  // are not here have the shader's own value.
+  std::map<std::string, UniformConstant> constants = {};
 };
 
 struct Program {
@@ -78,6 +81,7 @@ struct FullScreenPass {
   std::optional<Attachment> depth = std::nullopt;
   Rect viewport;
   std::map<std::string, SampledImage> aliases;
+  int layer = 0;  // its depth: each layer is nearer than the one before, and all nearer than the far end
 };
 [[nodiscard]] Expected<PassTime> drawFullScreen(Device& device, const Program& program,
                                                 const FullScreenPass& pass, const FrameImages& images,

@@ -1,5 +1,6 @@
 #include "frame/roofline_techniques.h"
 
+#include "frame/shared_passes.h"
 #include "spaces/roofline.h"
 
 namespace ssrkit {
@@ -20,8 +21,7 @@ std::vector<Technique> rooflineTechniques() {
                                            {"roofline_add", 0.25}}},
                             // The tracer writes over it.
                             {.name = "bench_write", .outputs = {"hit_texel", "hit_point", "ray_work"}}},
-           .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
-                           {.name = "composite", .outputs = {"composite"}}},
+           .after_trace = {resolvePass(), {.name = "composite", .outputs = {"composite"}}},
            .read_back = {"reflection", "composite", "roofline_dependent_fetch", "roofline_fetch",
                          "roofline_alu"}}};
 }

@@ -167,6 +167,21 @@ SampledImage materialTexture(const SceneResources& resources, const Scene& scene
   return sampled;
 }
 
+std::map<std::string, UniformConstant> lightConstants(const Scene& scene) {
+  return {{"directional_count", static_cast<int>(std::min(scene.directional_lights.size(), kMaxLights))},
+          {"point_count", static_cast<int>(std::min(scene.point_lights.size(), kMaxLights))}};
+}
+
+std::map<std::string, UniformConstant> textureConstants(const Scene& scene) {
+  std::map<std::string, UniformConstant> constants;
+  for (const TextureSlot& slot : slots()) {
+    const bool has_any = std::ranges::any_of(
+        scene.materials, [&](const Material& material) { return material.*slot.texture >= 0; });
+    constants.emplace("has_" + slot.sampler, has_any ? 1 : 0);
+  }
+  return constants;
+}
+
 void setLightUniforms(UniformValues& values, const Scene& scene, const glm::dmat4& view_from_world) {
   const glm::dmat3 rotation(view_from_world);
   values.set("up_view", rotation * glm::dvec3(0, 1, 0));

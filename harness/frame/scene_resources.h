@@ -1,7 +1,9 @@
 // A scene on the device: vertices, material table, textures; and its lights as uniforms.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -30,6 +32,13 @@ struct SceneResources {
 // The image for one of gbuffer.frag's texture samplers ("base_colour_texture", ...) in one range's material.
 [[nodiscard]] SampledImage materialTexture(const SceneResources& resources, const Scene& scene,
                                            int material_index, const std::string& sampler);
+
+// What a scene has, as constants that programs are specialised by: how many lights of each kind, which never
+// changes while it moves ...
+[[nodiscard]] std::map<std::string, UniformConstant> lightConstants(const Scene& scene);
+
+// ... and which of gbuffer.frag's texture samplers any of its materials uses: has_base_colour_texture, ...
+[[nodiscard]] std::map<std::string, UniformConstant> textureConstants(const Scene& scene);
 
 // Lights and sky in view space, under the names of shaders/light.frag.
 void setLightUniforms(UniformValues& values, const Scene& scene, const glm::dmat4& view_from_world);

@@ -2,6 +2,10 @@
 
 namespace ssrkit {
 
+FramePass resolvePass() {
+  return {.name = "resolve", .outputs = {"reflection"}, .where_rays_start = true, .clears = {"reflection"}};
+}
+
 FramePass confidencePass() {
   // What a technique takes from the trace's own reach and budget only.
   constexpr double kNone = 1e30;
@@ -12,7 +16,9 @@ FramePass confidencePass() {
                         {"rejects_back_faces", 1},
                         {"facing_fade_start", 0.75},
                         {"facing_fade_end", 1.0},
-                        {"fade_lookups", kNone}}};
+                        {"fade_lookups", kNone}},
+          .where_rays_start = true,
+          .clears = {"reflection_weighed"}};
 }
 
 FramePass accumulateArrivingPass() {

@@ -5,6 +5,9 @@
 
 namespace ssrkit {
 
+// Fetches what each ray hit: "reflection", zero where it hit nothing.
+[[nodiscard]] FramePass resolvePass();
+
 // Weighs the image "reflection" by what screen space can know of each hit: "reflection_weighed".
 [[nodiscard]] FramePass confidencePass();
 

@@ -37,9 +37,7 @@ Technique history() {
 Technique temporal() {
   return {.name = "temporal",
           .about = "reflections of several frames together, found by the mirrored hit's motion",
-          .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
-                          accumulate(1, 9.0),
-                          compositeOf("composite")},
+          .after_trace = {resolvePass(), accumulate(1, 9.0), compositeOf("composite")},
           .frame_count = 8,
           .read_back = kReadBack};
 }
@@ -70,10 +68,7 @@ Technique replacingTemporal() {
   return {.name = "replace_temporal",
           .about = "confident reflections of several frames together, in the place of the environment's",
           .frame = "full",
-          .after_trace = {{.name = "resolve", .outputs = {"reflection"}},
-                          confidencePass(),
-                          averaged,
-                          compositeOf("composite_replace")},
+          .after_trace = {resolvePass(), confidencePass(), averaged, compositeOf("composite_replace")},
           .frame_count = 8,
           .read_back = {"reflection", "reflection_weighed", "accumulated", "history_length", "composite"}};
 }

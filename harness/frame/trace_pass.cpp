@@ -36,6 +36,16 @@ std::vector<FramePass> tracePasses(const std::string& shader, const Technique& t
   return passes;
 }
 
+void drawWhereRaysStart(Technique& technique) {
+  int layer = 0;
+  for (FramePass& pass : technique.after_trace) {
+    if (pass.where_rays_start) {
+      pass.depth = "ray_depth" + recordSuffix(technique);
+      pass.layer = ++layer;
+    }
+  }
+}
+
 void setTraceUniforms(UniformValues& values, const TraceParameters& parameters) {
   values.set("thickness_m", parameters.thickness_m);
   values.set("thickness_rel", parameters.thickness_rel);

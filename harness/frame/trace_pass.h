@@ -24,6 +24,10 @@ void setTraceUniforms(UniformValues& values, const TraceParameters& parameters);
 // Both, in order, with what the technique has the tracer read and write.
 [[nodiscard]] std::vector<FramePass> tracePasses(const std::string& shader, const Technique& technique);
 
+// Gives the passes after the trace that ask for it the trace's depth, each a layer nearer than the one
+// before: where no ray starts all of them fail against it.
+void drawWhereRaysStart(Technique& technique);
+
 // What is added to the names of a record's images where a technique has fewer rays than texels.
 [[nodiscard]] std::string recordSuffix(const Technique& technique);
 

@@ -83,6 +83,8 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
     before.insert(before.begin(), peerInputs(*request.peer));
     std::vector<FramePass>& after = tracing.technique_.after_sample;
     after.insert(after.begin(), peerAnswer(*request.peer));
+  } else {
+    drawWhereRaysStart(tracing.technique_);  // a peer's trace has no depth
   }
   auto trace = preparePasses(programs, settings, march, progress);
   if (!trace) {

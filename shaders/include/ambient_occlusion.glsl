@@ -13,7 +13,7 @@
 //   bias of Bavoil et al., "Image-Space Horizon-Based Ambient Occlusion", SIGGRAPH 2008 talk).
 // - A column is as thick as thickness_m, then fades over as much again: what stands far before the pixel casts no halo.
 // - Points outside the image, or before the near plane, are not covered: nothing is known of them.
-// Needs: float load_dist_view(vec2 texel), metres, +inf for background.
+// Needs: GL_EXT_control_flow_attributes; float load_dist_view(vec2 texel), metres, +inf for background.
 // In: view position and unit normal of a texel's centre; `noise`, three numbers of 0 to 1 that differ from pixel to
 //   pixel and turn, spread and stretch the points.
 #ifndef AMBIENT_OCCLUSION_GLSL
@@ -70,7 +70,8 @@ float ambient_visibility(vec3 p_view, vec3 normal, vec3 noise, PixelProjection p
   vec2 around = vec2(cos(AO_TAU * noise.x), sin(AO_TAU * noise.x));
   float covered = 0.0;
   float per_sample = 1.0 / float(parameters.sample_count);
-  for (int i = 0; i < parameters.sample_count; ++i) {
+  // Written out where the count is a constant.
+  [[unroll]] for (int i = 0; i < parameters.sample_count; ++i) {
     // Malley: points even over the unit disc, lifted onto the hemisphere, are distributed as the cosine.
     float disc_radius_squared = (float(i) + noise.y) * per_sample;
     vec2 disc = sqrt(disc_radius_squared) * around;

@@ -22,7 +22,6 @@
 
 #include "ssr_ordered.glsl"
 
-const int SHADOW_MAX_CASCADES = 4;
 const float SHADOW_MIN_COSINE = 0.02;
 const float SHADOW_FILTER_RADIUS = 1.5;  // texels
 const float SHADOW_FILTER_REACH = 2.83;  // texels from the point to the farthest texel's centre
@@ -30,9 +29,13 @@ const float SHADOW_NORMAL_ERROR = 0.1875;
 const float SHADOW_MAX_TILT = 32.0;  // of 1 / cosine^2
 const float SHADOW_DEPTH_ERROR = 1.0 / 1048576.0;
 
+// The cascades are no array: Mesa's software drivers keep one in memory, which takes a sixth of the pass's time.
 struct ShadowMap {
-  vec4 cascades[SHADOW_MAX_CASCADES];  // the finest first; zeros where there is none
-  float side_texels;               // of a cascade
+  vec4 finest;  // cascades; zeros where there is none
+  vec4 second;
+  vec4 third;
+  vec4 fourth;
+  float side_texels;  // of a cascade
   float near_m;
   float range_m;
 };
@@ -47,19 +50,22 @@ struct ShadowCascade {
   bool is_found;
 };
 
-// The finest cascade whose square holds all texels that the filter reads. Carried along instead of looked up by its
-// number: every index is a constant, which is faster on software rasterisers.
+// The finest cascade whose square holds all texels that the filter reads: from the coarsest on, each that does takes the
+// place of the one before.
+ShadowCascade finer_where_it_holds(ShadowCascade found, vec3 p_light, vec4 square, float first_column, ShadowMap map) {
+  vec2 px = shadow_map_px(p_light, square);
+  vec2 to_edge = min(px, map.side_texels - px);
+  bool holds = min(to_edge.x, to_edge.y) >= SHADOW_FILTER_RADIUS + 0.5;
+  return ShadowCascade(holds ? square : found.square, holds ? first_column : found.first_column,
+                       holds || found.is_found);
+}
+
 ShadowCascade shadow_cascade_at(vec3 p_light, ShadowMap map) {
-  ShadowCascade found = ShadowCascade(map.cascades[0], 0.0, false);
-  for (int i = SHADOW_MAX_CASCADES - 1; i >= 0; --i) {
-    vec2 px = shadow_map_px(p_light, map.cascades[i]);
-    vec2 to_edge = min(px, map.side_texels - px);
-    bool holds = min(to_edge.x, to_edge.y) >= SHADOW_FILTER_RADIUS + 0.5;
-    found.square = holds ? map.cascades[i] : found.square;
-    found.first_column = holds ? float(i) * map.side_texels : found.first_column;
-    found.is_found = found.is_found || holds;
-  }
-  return found;
+  ShadowCascade found = ShadowCascade(map.finest, 0.0, false);
+  found = finer_where_it_holds(found, p_light, map.fourth, 3.0 * map.side_texels, map);
+  found = finer_where_it_holds(found, p_light, map.third, 2.0 * map.side_texels, map);
+  found = finer_where_it_holds(found, p_light, map.second, map.side_texels, map);
+  return finer_where_it_holds(found, p_light, map.finest, 0.0, map);
 }
 
 // Four texels of one row, weighted by how much of them the filter's square covers; the receiver's depth at the first of

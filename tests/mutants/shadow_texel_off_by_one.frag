@@ -43,7 +43,7 @@ void main() {
   vec3 p_view = position_px_to_view(texel + 0.5, dist, projection);
   vec3 shading_normal = ordered_normalize(texelFetch(normal_view, ivec2(texel), 0).xyz);
   vec3 normal = geometric_normal(p_view, shading_normal, texel, projection, size_px);
-  ShadowMap map = ShadowMap(shadow_cascades, shadow_side_texels, shadow_near_m, shadow_range_m);
+  ShadowMap map = ShadowMap(shadow_cascades[0], shadow_cascades[1], shadow_cascades[2], shadow_cascades[3], shadow_side_texels, shadow_near_m, shadow_range_m);
   vec3 p_light = (light_from_view * vec4(p_view, 1.0)).xyz;
   vec3 normal_light = mat3(light_from_view) * normal;
   float shading_cosine = -(mat3(light_from_view) * shading_normal).z;

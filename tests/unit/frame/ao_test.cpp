@@ -43,7 +43,7 @@ class AoTest : public PassTest {
     setCameraUniforms(values_, camera(size));
     values_.set("ao_radius_m", radius_m);
     values_.set("ao_thickness_m", 2.0 * radius_m);
-    values_.set("ao_sample_count", sample_count);
+    setConstant("ao_sample_count", sample_count);
     Image dist_view(size, {"Z"});
     Image normal_view(size, {"R", "G", "B", "A"});
     for (int y = 0; y < size.height; ++y) {

@@ -1,5 +1,6 @@
 // Every technique over a frame whose lit image holds the environment's reflection already.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "../kit_shaders.h"
+#include "base/atomic_file.h"
 #include "frame/frames.h"
 #include "frame/run_job.h"
 #include "frame/technique_in_frame.h"
@@ -110,6 +112,32 @@ TEST_P(FullFrameTest, AMissLeavesTheLitImageAsItIs) {
     }
     EXPECT_GT(missed, 100) << trace.technique;
   }
+}
+
+// A last pass that paints all that it is drawn to: nothing but the floor, which two passes before it covered
+// too.
+TEST_P(FullFrameTest, DrawsWhatFollowsTheTraceWhereRaysStartAndNowhereElse) {
+  const std::filesystem::path paint =
+      std::filesystem::temp_directory_path() / ("ssrkit-paint-" + std::to_string(getpid()) + ".frag");
+  ASSERT_TRUE(writeFileAtomically(paint,
+                                  "#version 450\n"
+                                  "layout(location = 0) out vec4 painted;\n"
+                                  "void main() { painted = vec4(2.0); }\n")
+                  .has_value());
+  Job job = furnace();
+  job.traces = {{.stage = "hiz", .parameters = {}, .technique = "replace"}};
+  job.replacements = {{.pass = "resolve", .file = paint}, {.pass = "composite_replace", .file = paint}};
+  const JobResult result = run(job);
+  std::filesystem::remove(paint);
+  const std::map<std::string, Image>& images = result.traces.at(0).images;
+  const auto is_floor = [](int y) { return y >= kFirstFloorRow; };
+  EXPECT_EQ(followsFormula(
+                images.at("reflection"), [&](int, int y) { return is_floor(y) ? 2.0 : 0.0; }, 0.0),
+            "");
+  EXPECT_EQ(
+      followsFormula(
+          images.at("composite"), [&](int, int y) { return is_floor(y) ? 2.0 : double{kFurnace}; }, 0.0),
+      "");
 }
 
 TEST_P(FullFrameTest, NamesTheRowThatIsMadeForIt) {

@@ -169,8 +169,8 @@ void LitTest::giveSurfaces(const std::vector<LitSurface>& surfaces, const std::v
       rows[4][points++] = glm::dvec4(light.strength, light.inner);
     }
   }
-  values_.set("directional_count", static_cast<int>(suns));
-  values_.set("point_count", static_cast<int>(points));
+  setConstant("directional_count", static_cast<int>(suns));
+  setConstant("point_count", static_cast<int>(points));
   values_.set("directional_dir_view", rows[0]);
   values_.set("directional_radiance", rows[1]);
   values_.set("point_p_view", rows[2]);

@@ -59,7 +59,13 @@ std::string mutantFile(const std::string& name, const std::string& shader) {
 void PassTest::begin() {
   given_.clear();
   environment_.reset();
+  constants_.clear();
   values_ = {};
+}
+
+void PassTest::setConstant(const std::string& name, UniformConstant value) {
+  constants_[name] = value;
+  std::visit([&](auto number) { values_.set(name, number); }, value);
 }
 
 void PassTest::give(const std::string& name, const Image& image, Format format) {
@@ -109,7 +115,8 @@ std::vector<Image> PassTest::drawInto(const std::string& shader, const std::vect
                     .colour_formats = formats,
                     .has_depth = false,
                     .vertex_attributes = {},
-                    .vertex_stride_bytes = 0};
+                    .vertex_stride_bytes = 0,
+                    .constants = constants_};
   const Program* compiled = program(row);
   if (compiled == nullptr) {
     return images;

@@ -27,6 +27,9 @@ class PassTest : public FrameDeviceTest {
   void giveIntegers(const std::string& name, const Image& image, Format format);  // kRg16i, kRgba16ui
   void give(const EnvironmentMaps& maps);  // `environment`, `irradiance`, `split_sum`, and their uniforms
 
+  // A specialisation constant, and the uniform of that name in shaders that have it.
+  void setConstant(const std::string& name, UniformConstant value);
+
   // Draws the shader, an entry file of the kit's or an absolute path, into one image of `channel_count`
   // channels.
   [[nodiscard]] Image draw(const std::string& shader, Size size, Format format = Format::kRgba32f);
@@ -55,6 +58,7 @@ class PassTest : public FrameDeviceTest {
     Filter filter = Filter::kNearest;
   };
   std::map<std::string, Given> given_;
+  std::map<std::string, UniformConstant> constants_;
   std::unique_ptr<FrameImages> environment_;
   std::unique_ptr<Programs> programs_;
 };

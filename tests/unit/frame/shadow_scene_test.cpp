@@ -50,7 +50,9 @@ void ShadowTest::giveScene(const Scene& scene, const Camera& camera) {
     scene_programs_ = std::make_unique<Programs>(*device_, target_);
   }
   const CompileSettings settings{.shader_root = kitShaders()};
-  const auto gbuffer = scene_programs_->get(gbufferPass(), settings);
+  PassRow row = gbufferPass();
+  row.constants = textureConstants(scene);
+  const auto gbuffer = scene_programs_->get(row, settings);
   const auto map = shadowMapPrograms(*scene_programs_, settings);
   ASSERT_TRUE(gbuffer.has_value() && map.has_value());
   FrameImages images(*device_, camera.size);
