@@ -63,13 +63,14 @@ float load_dist_view(vec2 texel) { return textureLod(dist_view, (texel + 0.5) * 
 // Whether this pixel's ray is to be marched; if not, `hit` is its record.
 bool trace_begin(out Ray ray, out RayHit hit) {
   ivec2 texel = ivec2(gl_FragCoord.xy) * ray_stride_texels;
-  float own_dist_view = texelFetch(dist_view, texel, 0).x;
+  vec2 own_uv = (vec2(texel) + 0.5) * dist_view_texel_uv;
+  float own_dist_view = textureLod(dist_view, own_uv, 0.0).x;
   bool is_background = isinf(own_dist_view);
-  if (is_background || texelFetch(material, texel, 0).b == 0.0) {
+  if (is_background || textureLod(material, own_uv, 0.0).b == 0.0) {
     hit = ray_without_hit(is_background ? RAY_BACKGROUND : RAY_MASKED, 0, 0);
     return false;
   }
-  vec4 normal_and_clearance = texelFetch(normal_view, texel, 0);
+  vec4 normal_and_clearance = textureLod(normal_view, own_uv, 0.0);
   vec3 normal = ordered_normalize(normal_and_clearance.xyz);
   ray = ray_reflected(vec2(texel) + 0.5, own_dist_view, normal, trace_projection(), trace_parameters());
   bool into_surface = ordered_dot(ray.dir_view, normal) < 0.0 || normal_and_clearance.a < 0.0;
