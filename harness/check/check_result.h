@@ -46,6 +46,7 @@ struct CheckResult {
   std::string message;  // several lines on a failure: where, yours, expected, how widespread, likely cause
   std::string repro;    // the command that runs this check alone
   std::optional<FindingMap> finding_map;  // of what counts against it, on a failure
+  double time_s = 0.0;  // its share of the jobs that answered it: their time among all their checks
 };
 
 // "<= 0 rays", ">= 13 ratio", "0.5 .. 2 px"; empty without bounds.

@@ -170,19 +170,22 @@ Expected<std::unique_ptr<Suite>> benchSuite(
     const BenchWork& work, const std::vector<std::string>& devices, int parts,
     const std::vector<std::pair<std::string, std::string>>& variables) {
   constexpr std::chrono::minutes kPatience{10};  // rounds of the slowest march on a busy machine
-  return Suite::create({.shader_root = work.paths.shaders,
-                        .scenes_root = work.paths.scenes,
-                        .devices = devices,
-                        .size = work.request.size,
-                        .mirror_material = "",
-                        .replacements = work.request.replacements,
-                        .limits = {.wall = kPatience, .cpu = kPatience},
-                        .parts = parts,
-                        .peers = work.peers,
-                        .environment_variables = variables,
-                        .always_oracle = !work.peers.empty(),
-                        .command = fmt::format("{}", fmt::join(work.options.command, " ")),
-                        .progress = [&](const std::string& text) { work.progress.show(text); }});
+  const ExtraPasses none;
+  return Suite::create(
+      {.shader_root = work.paths.shaders,
+       .scenes_root = work.paths.scenes,
+       .devices = devices,
+       .size = work.request.size,
+       .mirror_material = "",
+       .replacements = work.request.replacements,
+       .limits = {.wall = kPatience, .cpu = kPatience, .compile = kPatience, .run = kPatience},
+       .parts = parts,
+       .peers = work.peers,
+       .environment_variables = variables,
+       .always_oracle = !work.peers.empty(),
+       .extra = none,
+       .command = fmt::format("{}", fmt::join(work.options.command, " ")),
+       .progress = [&](const std::string& text) { work.progress.show(text); }});
 }
 
 Expected<int> benchCommand(const BenchOptions& options) {

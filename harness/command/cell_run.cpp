@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "base/check.h"
 #include "command/seen_answers.h"
@@ -32,8 +33,12 @@ std::vector<TimeSample> samplesOf(const PassReport& report) {
 }
 
 std::string deathText(const WorkerDeath& death) {
+  const char* const phase = death.phase == JobPhase::kCompile ? "(compile)"
+                            : death.phase == JobPhase::kRun   ? "(run)"
+                                                              : "";
   std::string text = death.kind == WorkerDeath::Kind::kTimeout
-                         ? fmt::format("the worker was stopped by its time limit (signal {})", death.signal)
+                         ? fmt::format("timeout{}: the worker was stopped by its time limit (signal {})",
+                                       phase, death.signal)
                      : death.signal != 0 ? fmt::format("the worker died of signal {}", death.signal)
                                          : std::string("the worker ended by itself");
   text +=
@@ -205,6 +210,17 @@ std::vector<CheckResult> limitedTracesOf(const CellRun& cell) {
     }
   }
   return checks;
+}
+
+void shareTimes(const std::deque<CellRun>& cells, std::vector<CheckResult>& checks) {
+  std::map<std::string, double> time_s;
+  for (const CellRun& cell : cells) {
+    time_s[cell.device] += cell.time_s;
+  }
+  for (CheckResult& check : checks) {
+    const auto sharing = std::ranges::count(checks, check.device, &CheckResult::device);
+    check.time_s = time_s[check.device] / static_cast<double>(sharing);
+  }
 }
 
 }  // namespace ssrkit

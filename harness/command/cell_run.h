@@ -61,4 +61,7 @@ void addAnswers(const CellRun& cell, std::vector<Answer>& answers);
 [[nodiscard]] std::vector<CheckResult> messagesOf(const CellRun& cell);
 [[nodiscard]] std::vector<CheckResult> limitedTracesOf(const CellRun& cell);
 
+// Divides the time of each device's jobs among the device's checks.
+void shareTimes(const std::deque<CellRun>& cells, std::vector<CheckResult>& checks);
+
 }  // namespace ssrkit

@@ -55,15 +55,15 @@ bool isWhole(const ConformOptions& options) {
          options.excludes.empty() && options.rerun_failed.empty() && options.shard == "1/1";
 }
 
-MakeSuite suiteMaker(const ConformPlan& plan, const KitPaths& paths) {
+MakeSuite suiteMaker(const ConformPlan& plan, const KitPaths& paths, const JobLimits& limits) {
   const std::vector<std::string> devices = devicesOf(plan);
-  return [devices, paths] {
+  return [devices, paths, limits] {
     return Suite::create({.shader_root = paths.shaders,
                           .scenes_root = paths.scenes,
                           .goldens_root = paths.goldens,
                           .devices = devices,
                           .size = {64, 36},
-                          .limits = {},
+                          .limits = limits,
                           .wants_ledger = true,
                           .tests_in_job_ids = true});
   };
@@ -77,8 +77,10 @@ bool isReference(const ConformPlan& plan, const std::string& device) {
   });
 }
 
-// Starts every device once. One that must be there and is not ends the run; an optional one is noted.
-Expected<void> meetDevices(Suite& suite, const ConformPlan& plan, Manifest& manifest) {
+// Starts every device once. What is absent costs its own cells: an optional device's are skipped, those of
+// one that must be there are errors, and `required_absent` gets the first reason. One that others are held
+// against ends the run.
+Expected<void> meetDevices(Suite& suite, const ConformPlan& plan, ConformRun& run) {
   std::map<std::string, std::future<Expected<DeviceInfo>>> starting;
   for (const std::string& id : devicesOf(plan)) {
     starting.emplace(id, std::async(std::launch::async, [&suite, id] { return suite.device(id); }));
@@ -88,15 +90,19 @@ Expected<void> meetDevices(Suite& suite, const ConformPlan& plan, Manifest& mani
     infos.emplace(id, future.get());
   }
   for (const auto& [id, info] : infos) {
-    const bool is_optional =
-        std::ranges::find(plan.optional, id) != plan.optional.end() && !isReference(plan, id);
     if (info) {
-      manifest.devices.push_back({info->identity, info->traits});
-    } else if (is_optional) {
-      manifest.absent.emplace_back(id, sentence(info.error()));
-    } else {
-      Error error = info.error();
+      run.manifest.devices.push_back({info->identity, info->traits});
+      continue;
+    }
+    Error error = info.error();
+    run.manifest.absent.emplace_back(id, sentence(error));
+    const bool is_optional = std::ranges::find(plan.optional, id) != plan.optional.end();
+    const bool is_reference = isReference(plan, id);
+    if (!is_optional || is_reference) {
       error.attempted = fmt::format("use the device '{}': {}", id, error.attempted);
+      run.required_absent = run.required_absent.value_or(error);
+    }
+    if (is_reference) {
       return tl::make_unexpected(std::move(error));
     }
   }
@@ -142,7 +148,7 @@ Manifest manifestOf(const ConformOptions& options, const ConformPlan& plan) {
 
 Expected<void> prepare(ConformRun& run, const KitPaths& paths, const MakeSuite& make_suite) {
   const auto suite = make_suite();
-  return suite ? meetDevices(**suite, *run.plan, run.manifest)
+  return suite ? meetDevices(**suite, *run.plan, run)
                      .and_then([&] { return hashInputs(paths, run); })
                      .and_then([&] { return run.store.write(run.manifest); })
                      .and_then([&] { return divideWork(run); })
@@ -167,7 +173,7 @@ Expected<int> conformCommand(const ConformOptions& options) {
                  .plan = &*plan,
                  .store = CellStore(options.out),
                  .manifest = manifestOf(options, *plan)};
-  const MakeSuite make_suite = suiteMaker(*plan, paths);
+  const MakeSuite make_suite = suiteMaker(*plan, paths, options.limits.jobLimits());
   const auto done =
       prepareFolder(options.out).and_then([&] { return prepare(run, paths, make_suite); }).and_then([&] {
         return workThrough(run, make_suite, lanes);
@@ -184,7 +190,8 @@ Expected<int> conformCommand(const ConformOptions& options) {
   for (const Cell& cell : plan->own) {
     report.records.push_back(std::move(run.records.at(cellId(cell))));
   }
-  return finishConform(std::move(report));
+  const auto code = finishConform(std::move(report));
+  return code && run.required_absent ? tl::make_unexpected(*run.required_absent) : code;
 }
 
 }  // namespace ssrkit

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "command/limit_options.h"
+#include "conform/extra_tests.h"
 
 namespace ssrkit {
 
@@ -22,6 +24,8 @@ struct ConformOptions {
   std::filesystem::path rerun_failed;  // a folder of an earlier run; empty: every cell
   std::filesystem::path out = "out/conform";
   std::filesystem::path baseline;  // known failures; empty: the kit's own list
+  ExtraPasses extra;               // cells beside those of the tests
+  LimitOptions limits;
   int repeat = 1;
   int jobs = 0;  // groups of cells that run at once; 0: as many as processors, at most 4
   bool resume = false;

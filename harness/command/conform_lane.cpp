@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "command/conform_pictures.h"
+#include "conform/extra_tests.h"
 #include "conform/isolate.h"
 #include "report/ledger_table.h"
 
@@ -30,7 +31,7 @@ CheckResult cellCheck(const Cell& cell, Outcome outcome, const std::string& mess
           .outcome = outcome,
           .metric = "runs",
           .message = message,
-          .repro = "./ssrkit conform --filter " + cellId(cell)};
+          .repro = conformCommandFor({cellId(cell)})};
 }
 
 // What the test asks of the device but nobody answered.
@@ -64,7 +65,7 @@ ConformLane::Once ConformLane::collect(const TestFile& test, const Cell& cell, c
   }
   // A pair belongs to the cell of its second device, so that shards and merged runs count it once.
   for (const auto& [key, entry] : overStages(run.ledger)) {
-    if (key.other == cell.device) {
+    if (key.other == cell.device && !isExtraTest(cell.test)) {
       once.ledger.emplace(key, entry);
     }
   }
@@ -120,8 +121,9 @@ ConformLane::Group ConformLane::runOnce(Suite& suite, std::span<const Cell> grou
   suite.setCommand([first](const std::string& device) {
     Cell cell = first;
     cell.device = device;
-    return "./ssrkit conform --filter " + cellId(cell);
+    return conformCommandFor({cellId(cell)});
   });
+  suite.setExtraPasses(passesOf(first.test));
   const SceneRun run = suite.run(test, plan_->source(first));
   for (const CellRun& job : run.cells) {
     if (job.death) {

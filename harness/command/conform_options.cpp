@@ -30,6 +30,16 @@ void addConform(CLI::App& app, ConformOptions& options, ConformMergeOptions& mer
       "Cells to run: a pattern of TEST/SCENE/WxH/DEVICE or of its beginning, * stands for any text");
   conform->add_option("--exclude", options.excludes, "Cells to leave out, likewise");
   conform->add_flag("--list", options.list, "Print the cells' ids instead of running them");
+  conform->add_flag(
+      "--safety", options.extra.safety,
+      "Cells safety.TEST/... too: each job drawn again with indices clamped and with loops counted");
+  conform
+      ->add_option(
+          "--validate", options.extra.validate,
+          "Cells validate.CHECK.TEST/... too: each Vulkan job drawn under the validation layer, for a "
+          "list of core, sync and gpu")
+      ->check(problemWithChecks);
+  addLimits(*conform, options.limits);
   conform->add_option("--shuffle", options.shuffle_seed, "Another order, by a seed");
   conform->add_option("--repeat", options.repeat, "Runs of each cell: what differs is a flake")
       ->check(CLI::Range(1, 1000));

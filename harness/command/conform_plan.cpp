@@ -7,7 +7,9 @@
 
 #include "base/check.h"
 #include "check/read_expectations.h"
+#include "command/device_threads.h"
 #include "command/known_names.h"
+#include "conform/extra_tests.h"
 #include "conform/merge.h"
 #include "conform/plan.h"
 #include "device/registry.h"
@@ -92,6 +94,21 @@ Expected<std::vector<std::string>> chooseScenes(const ConformOptions& options, c
   return chosen;
 }
 
+// A run of what failed before has the cells of that run.
+Expected<void> addExtraTests(const ConformOptions& options, std::vector<std::string> devices,
+                             ConformPlan& plan) {
+  std::erase_if(devices, [](const std::string& device) { return !isVulkanDevice(device); });
+  if (!options.extra.validate.empty() && devices.empty()) {
+    return inputError("validate", "none of the devices is a Vulkan one", "--validate",
+                      "add --device vk-lavapipe");
+  }
+  const ExtraPasses every{.safety = true, .validate = "core,sync,gpu"};
+  std::vector<TestFile> extra =
+      extraTests(plan.tests, options.rerun_failed.empty() ? options.extra : every, devices);
+  std::ranges::move(extra, std::back_inserter(plan.tests));
+  return {};
+}
+
 // Of the cells, those that failed or were never finished in an earlier run's folder.
 Expected<std::vector<Cell>> keepFailed(std::vector<Cell> cells, const std::filesystem::path& folder) {
   const auto failed = failedCells(folder);
@@ -132,6 +149,9 @@ Expected<ConformPlan> makePlan(const ConformOptions& options, const KitPaths& pa
   plan.tests = std::move(*tests);
   std::vector<std::string> devices = plan.required;
   devices.insert(devices.end(), plan.optional.begin(), plan.optional.end());
+  if (const auto added = addExtraTests(options, devices, plan); !added) {
+    return tl::make_unexpected(added.error());
+  }
   const MatrixAxes axes{.built_in_scenes = builtInScenes(paths.scenes),
                         .scenes = *scenes,
                         .devices = devices,

@@ -32,7 +32,10 @@ RunReport runReport(const ConformReport& conform) {
                             .time_s = record.time_s,
                             .attempts = record.attempts});
     addToLedger(record.ledger, report.ledger);
-    report.checks.insert(report.checks.end(), record.checks.begin(), record.checks.end());
+    for (const CheckResult& check : record.checks) {
+      report.checks.push_back(check);
+      report.checks.back().time_s = record.time_s / static_cast<double>(record.checks.size());
+    }
   }
   return report;
 }
@@ -89,10 +92,10 @@ void printFailures(const RunReport& report) {
   }
 }
 
-// One line for each device that was skipped, and why.
-void printSkips(const Manifest& manifest) {
+// One line for each device that is not there, and why.
+void printAbsent(const Manifest& manifest) {
   for (const auto& [device, reason] : manifest.absent) {
-    fmt::print("\nskipped: {}: {}\n", device, reason);
+    fmt::print("\nabsent: {}: {}\n", device, reason);
   }
 }
 
@@ -120,7 +123,7 @@ Expected<int> finishConform(ConformReport conform) {
   if (const std::string ledger = ledgerTable(report.ledger); !ledger.empty()) {
     fmt::print("\nhow far the devices lie apart, in ulps of each buffer\n{}", ledger);
   }
-  printSkips(conform.manifest);
+  printAbsent(conform.manifest);
   printFailures(report);
   for (const std::string& note : conform.notes) {
     fmt::print("\nnote: {}\n", note);

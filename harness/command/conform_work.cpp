@@ -6,22 +6,12 @@
 #include <atomic>
 #include <thread>
 
+#include "conform/extra_tests.h"
 #include "conform/plan.h"
 
 namespace ssrkit {
 
 namespace {
-
-// The page shows the first few failures in pictures: the maps of a broken driver's ten thousand cells would
-// fill the memory.
-void dropMaps(CellRecord& record, std::size_t& kept) {
-  constexpr std::size_t kMost = 100;
-  for (CheckResult& check : record.checks) {
-    if (check.finding_map && ++kept > kMost) {
-      check.finding_map.reset();
-    }
-  }
-}
 
 // Under the run's mutex.
 Expected<void> keep(ConformRun& run, std::vector<CellRecord> records) {
@@ -56,31 +46,46 @@ void work(ConformRun& run, std::atomic<std::size_t>& next, ConformLane lane) {
   }
 }
 
+// The record of a cell whose device is not there. It is without inputs: `--resume` tries again.
+std::optional<CellRecord> absentCell(const ConformRun& run, const Cell& cell) {
+  const auto absent =
+      std::ranges::find(run.manifest.absent, cell.device, &std::pair<std::string, std::string>::first);
+  if (absent == run.manifest.absent.end()) {
+    return std::nullopt;
+  }
+  const bool is_optional = std::ranges::find(run.plan->optional, cell.device) != run.plan->optional.end();
+  return CellRecord{.id = cellId(cell),
+                    .checks = {{.id = cell.test + ".runs",
+                                .scene = cell.scene,
+                                .device = cell.device,
+                                .size = cell.size,
+                                .outcome = is_optional ? Outcome::kSkip : Outcome::kError,
+                                .metric = "runs",
+                                .message = absent->second,
+                                .repro = conformCommandFor({cellId(cell)})}}};
+}
+
 }  // namespace
 
-// groups.
 Expected<void> divideWork(ConformRun& run) {
   std::vector<Cell> left;
   for (const Cell& cell : run.plan->own) {
     const std::string id = cellId(cell);
     auto finished = run.options->resume ? run.store.finished(id, run.inputs.at(id)) : std::nullopt;
-    const auto absent =
-        std::ranges::find(run.manifest.absent, cell.device, &std::pair<std::string, std::string>::first);
     if (finished) {
+      dropMaps(*finished, run.finding_maps);
       run.records.emplace(id, std::move(*finished));
-    } else if (auto removed = run.store.remove(id); !removed) {
-      return removed;
-    } else if (absent != run.manifest.absent.end()) {
-      run.records.emplace(id, CellRecord{.id = id,
-                                         .checks = {{.id = cell.test + ".runs",
-                                                     .scene = cell.scene,
-                                                     .device = cell.device,
-                                                     .size = cell.size,
-                                                     .outcome = Outcome::kSkip,
-                                                     .metric = "runs",
-                                                     .message = absent->second}}});
+      continue;
+    }
+    auto done = run.store.remove(id);
+    if (auto absent = absentCell(run, cell)) {
+      done = done.and_then([&] { return run.store.write(*absent); });
+      run.records.emplace(id, std::move(*absent));
     } else {
       left.push_back(cell);
+    }
+    if (!done) {
+      return done;
     }
   }
   run.groups = groupsOf(left);

@@ -30,11 +30,12 @@ struct ConformRun {
   ProgressLine progress;
   std::mutex mutex;  // of records, progress and failure
   std::size_t failed = 0;
-  std::size_t finding_maps = 0;  // kept in records
-  std::optional<Error> failure;  // that ended the run
+  std::size_t finding_maps = 0;          // kept in records
+  std::optional<Error> failure;          // that ended the run
+  std::optional<Error> required_absent;  // why a device is not there that must be
 };
 
-// Takes over what an earlier run finished, skips what an absent device was to do, and leaves the rest in
+// Takes over what an earlier run finished, notes what an absent device was to do, and leaves the rest in
 // groups.
 [[nodiscard]] Expected<void> divideWork(ConformRun& run);
 

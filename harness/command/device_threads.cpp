@@ -26,4 +26,9 @@ Expected<DeviceEntry> deviceWithThreads(const std::string& name) {
   return with_threads;
 }
 
+bool isVulkanDevice(const std::string& name) {
+  const auto entry = deviceWithThreads(name);
+  return entry && entry->target == ShaderTarget::kVulkan;
+}
+
 }  // namespace ssrkit

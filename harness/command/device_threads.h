@@ -11,4 +11,7 @@ namespace ssrkit {
 // LP_NUM_THREADS).
 [[nodiscard]] Expected<DeviceEntry> deviceWithThreads(const std::string& name);
 
+// False also for a name that is no device's.
+[[nodiscard]] bool isVulkanDevice(const std::string& name);
+
 }  // namespace ssrkit

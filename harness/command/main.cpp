@@ -18,6 +18,7 @@
 #include "command/devices.h"
 #include "command/interrupt.h"
 #include "command/kit_paths.h"
+#include "command/limit_options.h"
 #include "command/mutate.h"
 #include "command/run.h"
 #include "command/test.h"
@@ -79,6 +80,14 @@ void addRun(CLI::App& app, RunOptions& options, Command& command) {
                   "Trace the G-buffer in this folder (EXR images and camera.json)")
       ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; });
   run->add_option("--replace", options.replacements, "PASS=FILE: put a shader of your own in a pass's place");
+  run->add_flag("--safety", options.extra.safety,
+                "Draw everything again with indices clamped and with loops counted, and compare: finds reads "
+                "outside arrays and loops that drivers cut short");
+  run->add_option("--validate", options.extra.validate,
+                  "Draw everything again under Vulkan's validation layer: a list of core, sync and gpu; each "
+                  "message is a failure")
+      ->check(problemWithChecks);
+  addLimits(*run, options.limits);
   run->add_flag("--json", options.json, "Print results.json instead of the table");
   run->footer(stageList());
   run->callback([&] { command = [&] { return runCommand(options); }; });

@@ -187,10 +187,11 @@ Expected<int> runCommand(const RunOptions& options) {
                               .mirror_material = options.mirror,
                               .environment = request->environment,
                               .replacements = request->replacements,
-                              .limits = {},
+                              .limits = options.limits.jobLimits(),
                               .always_oracle = true,
                               .wants_ledger = true,
                               .geometry_of_first_device = true,
+                              .extra = options.extra,
                               .command = fmt::format("{}", fmt::join(options.command, " ")),
                               .progress = [&](const std::string& text) { progress.show(text); }});
   auto done = suite ? prepareFolder(options.out) : tl::make_unexpected(suite.error());

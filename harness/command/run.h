@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "command/limit_options.h"
+#include "conform/extra_tests.h"
 
 namespace ssrkit {
 
@@ -28,8 +30,10 @@ struct RunOptions {
   std::string environment;                // "constant:R,G,B" or an EXR file; empty: the scene's own
   std::filesystem::path gbuffer;          // a folder; then no scene is rendered
   std::vector<std::string> replacements;  // "trace_hiz=my.frag"
-  bool json = false;                      // results.json on standard output in the place of the table
-  std::vector<std::string> command;       // argv, for the report
+  ExtraPasses extra;
+  LimitOptions limits;
+  bool json = false;                 // results.json on standard output in the place of the table
+  std::vector<std::string> command;  // argv, for the report
 };
 
 // The exit code of design section 6, after printing; errors that stop the run before it starts are returned.

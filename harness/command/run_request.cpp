@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "check/read_expectations.h"
+#include "command/device_threads.h"
 #include "command/parameters_file.h"
 #include "frame/frames.h"
 #include "frame/stages.h"
@@ -214,6 +215,10 @@ void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
 }
 
 Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& paths) {
+  if (!options.extra.validate.empty() && std::ranges::none_of(options.devices, isVulkanDevice)) {
+    return inputError("validate", "none of the devices is a Vulkan one", "--validate",
+                      "add --device vk-lavapipe");
+  }
   const auto size = parseSize(options.size);
   auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
   auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());

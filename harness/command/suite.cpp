@@ -9,7 +9,6 @@
 
 #include "base/check.h"
 #include "check/judge.h"
-#include "command/device_threads.h"
 #include "command/half_buffers.h"
 #include "command/native_cells.h"
 #include "command/suite_jobs.h"
@@ -41,44 +40,18 @@ bool isInconclusive(const CheckResult& check) {
   return check.outcome == Outcome::kInconclusive;
 }
 
-// Whether answers over the test's input are held against those over each device's own G-buffer.
-bool comparesWithRendered(const TestFile& test) {
-  return std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
-    return expectation.truth.kind == TruthKind::kRendered;
-  });
-}
-
 }  // namespace
 
 Expected<std::unique_ptr<Suite>> Suite::create(SuiteOptions options) {
   std::unique_ptr<Suite> suite(new Suite(std::move(options)));
   std::vector<std::string> ids = suite->options_.devices;
   ids.insert(ids.end(), suite->options_.further_devices.begin(), suite->options_.further_devices.end());
-  for (const std::string& device : ids) {
-    const auto entry = deviceWithThreads(device);
-    if (!entry) {
-      return tl::make_unexpected(entry.error());
-    }
-    suite->workers_.emplace(device, Worker(*entry, {.shader_root = suite->options_.shader_root,
-                                                    .environment = suite->options_.environment_variables}));
+  if (auto made = suite->workers_.create(ids, {.shader_root = suite->options_.shader_root,
+                                               .environment = suite->options_.environment_variables});
+      !made) {
+    return tl::make_unexpected(made.error());
   }
   return suite;
-}
-
-// A variant that is an environment needs a process that its driver is loaded in.
-Worker& Suite::workerFor(const std::string& device, const std::string& variant) {
-  const auto row = findVariant(variant);
-  if (!row || (*row)->environment.empty()) {
-    return workers_.at(device);
-  }
-  const std::pair key{device, variant};
-  if (const auto found = workers_of_variants_.find(key); found != workers_of_variants_.end()) {
-    return found->second;
-  }
-  const auto entry = deviceWithThreads(device);
-  SSRKIT_CHECK(entry.has_value());
-  WorkerOptions options{.shader_root = options_.shader_root, .environment = (*row)->environment};
-  return workers_of_variants_.emplace(key, Worker(*entry, std::move(options))).first->second;
 }
 
 void Suite::runCell(const TestFile& test, const std::string& device, const Job& job, const std::string& input,
@@ -97,7 +70,7 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
     options_.progress(fmt::format("{} {} on {}", test.id, job.id, device));
   }
   const auto start = std::chrono::steady_clock::now();
-  JobOutcome outcome = workerFor(device, job.variant).run(job, options_.limits);
+  JobOutcome outcome = workers_.at(device, environmentOf(job.variant)).run(job, options_.limits);
   cell.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (auto* result = std::get_if<JobResult>(&outcome)) {
     cell.result = std::move(*result);
@@ -106,6 +79,10 @@ void Suite::runCell(const TestFile& test, const std::string& device, const Job& 
     cell.error = std::move(*error);
   } else {
     cell.death = std::get<WorkerDeath>(std::move(outcome));
+  }
+  const bool has_extra = options_.extra.safety || !options_.extra.validate.empty();
+  if (has_extra && job.variant.empty()) {
+    addExtraPasses(test, job, cell, run);
   }
 }
 
@@ -129,7 +106,13 @@ WantedTruths Suite::wantedOf(const TestFile& test, const SceneSource& source, bo
 }
 
 SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
-  SceneRun run{.source = &source, .cells = {}, .answers = {}, .seen_answers = {}, .checks = {}, .ledger = {}};
+  SceneRun run{.source = &source,
+               .cells = {},
+               .answers = {},
+               .seen_answers = {},
+               .extra_checks = {},
+               .checks = {},
+               .ledger = {}};
   const Sequence sequence = sequenceOf(test);
   SceneGeometry geometry(source.file, timeOf(sequence, sequence.frame_count - 1));
   TruthLane truths(geometry, test.rounds > 0);
@@ -205,7 +188,7 @@ void Suite::runOverInput(const TestFile& test, const std::vector<std::string>& d
 // By the device's own key: a worker that has answered knows its identity.
 GoldenLookup Suite::goldenLookup(GoldenShelf& shelf) {
   return [this, &shelf](const Expectation& expectation, const Answer& answer) -> const Answer* {
-    const auto info = workers_.at(answer.device).info();
+    const auto info = workers_.at(answer.device, {}).info();
     return info ? shelf.find(expectation, answer, goldenKeyOf(info->identity)) : nullptr;
   };
 }
@@ -232,6 +215,9 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
       add(std::move(check), "loop_limiter");
     }
   }
+  for (const CheckResult& check : run.extra_checks) {
+    add(check, check.metric);
+  }
   auto shelf = GoldenShelf::load(options_.goldens_root, test, source.name);
   if (!shelf) {
     add({.message = sentence(shelf.error())}, "goldens");
@@ -243,6 +229,7 @@ void Suite::judge(const TestFile& test, const SceneSource& source, SceneRun& run
   std::ranges::copy_if(checks, std::back_inserter(run.checks), [&](const CheckResult& check) {
     return all_came_back || check.outcome != Outcome::kMissing;
   });
+  shareTimes(run.cells, run.checks);
 }
 
 }  // namespace ssrkit

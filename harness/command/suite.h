@@ -17,9 +17,11 @@
 #include "check/ledger.h"
 #include "check/subject.h"
 #include "command/cell_run.h"
+#include "command/extra_passes.h"
 #include "command/golden_shelf.h"
 #include "command/seen_answers.h"
 #include "command/truth_lane.h"
+#include "command/worker_pool.h"
 #include "frame/gbuffer_files.h"
 #include "frame/job.h"
 #include "worker/supervisor.h"
@@ -40,7 +42,8 @@ struct SceneRun {
   const SceneSource* source = nullptr;
   std::deque<CellRun> cells;
   std::vector<Answer> answers;
-  std::deque<SeenAnswer> seen_answers;  // that answers of changed views are held against
+  std::deque<SeenAnswer> seen_answers;    // that answers of changed views are held against
+  std::vector<CheckResult> extra_checks;  // what jobs told that were drawn again
   std::vector<CheckResult> checks;
   Ledger ledger;  // of every two devices' answers, where it is wanted
 };
@@ -68,6 +71,7 @@ struct SuiteOptions {
   bool always_oracle = false;
   bool wants_ledger = false;
   bool geometry_of_first_device = false;  // Oracle B too, over the first device's G-buffer
+  ExtraPasses extra;                      // what every plain job is drawn again for
   std::string command;                    // what the user typed, for the rerun line
   bool tests_in_job_ids = false;          // "trace.bits clutter 64x36" instead of "clutter 64x36"
   std::function<void(const std::string&)> progress;
@@ -82,10 +86,10 @@ class Suite {
   [[nodiscard]] SceneRun run(const TestFile& test, const SceneSource& source);
 
   // Identity and traits of every device of the run; the first that is absent is an error.
-  [[nodiscard]] Expected<std::map<std::string, DeviceInfo>> devices();
+  [[nodiscard]] Expected<std::map<std::string, DeviceInfo>> devices() { return workers_.infos(); }
 
   // One device's, which is started for it.
-  [[nodiscard]] Expected<DeviceInfo> device(const std::string& id) { return workers_.at(id).info(); }
+  [[nodiscard]] Expected<DeviceInfo> device(const std::string& id) { return workers_.at(id, {}).info(); }
 
   // What failures name as the command that runs them again.
   void setCommand(std::string command) { options_.command = std::move(command); }
@@ -93,6 +97,9 @@ class Suite {
   void setCommand(std::function<std::string(const std::string& device)> command_of) {
     command_of_ = std::move(command_of);
   }
+
+  // What plain jobs are drawn again for from here on.
+  void setExtraPasses(ExtraPasses passes) { options_.extra = std::move(passes); }
 
   // Jobs from here on are compiled from these shaders; the workers stay.
   void setShaderRoot(std::filesystem::path root) { options_.shader_root = std::move(root); }
@@ -103,7 +110,8 @@ class Suite {
 
  private:
   explicit Suite(SuiteOptions options) : options_(std::move(options)) {}
-  [[nodiscard]] Worker& workerFor(const std::string& device, const std::string& variant);
+  void addExtraPasses(const TestFile& test, const Job& job, CellRun& cell, SceneRun& run);
+  [[nodiscard]] DeviceConcerns concernsOf(const std::string& device);
   [[nodiscard]] SceneRun runOnce(const TestFile& test, const SceneSource& source);
   [[nodiscard]] WantedTruths wantedOf(const TestFile& test, const SceneSource& source, bool is_first) const;
   void runSize(const TestFile& test, const SceneSource& source, Size size, TruthLane& truths, SceneRun& run);
@@ -120,8 +128,7 @@ class Suite {
 
   SuiteOptions options_;
   std::function<std::string(const std::string& device)> command_of_;
-  std::map<std::string, Worker> workers_;
-  std::map<std::pair<std::string, std::string>, Worker> workers_of_variants_;  // by device and variant
+  WorkerPool workers_;
 };
 
 }  // namespace ssrkit

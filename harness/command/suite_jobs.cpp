@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "frame/stages.h"
 #include "frame/techniques.h"
+#include "frame/variants.h"
 
 namespace ssrkit {
 
@@ -84,6 +85,17 @@ Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& 
     job.size = source.gbuffer->camera.size;
   }
   return job;
+}
+
+bool comparesWithRendered(const TestFile& test) {
+  return std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
+    return expectation.truth.kind == TruthKind::kRendered;
+  });
+}
+
+Environment environmentOf(const std::string& variant) {
+  const auto row = findVariant(variant);
+  return row ? (*row)->environment : Environment{};
 }
 
 }  // namespace ssrkit

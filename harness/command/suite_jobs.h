@@ -26,4 +26,10 @@ namespace ssrkit {
 [[nodiscard]] Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& options,
                          Size size, const std::string& variant);
 
+// Whether answers over the test's input are held against those over each device's own G-buffer.
+[[nodiscard]] bool comparesWithRendered(const TestFile& test);
+
+// That the variant's worker is driven in.
+[[nodiscard]] Environment environmentOf(const std::string& variant);
+
 }  // namespace ssrkit

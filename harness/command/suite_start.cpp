@@ -1,9 +1,13 @@
-// What a suite knows before it runs, and what it adds to a run: its devices, its scenes, further rounds.
+// What a suite knows before it runs, and what it adds to a run: its scenes, further rounds and drawings.
 #include <fmt/format.h>
 
-#include <future>
+#include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <system_error>
 
+#include "command/device_threads.h"
+#include "command/extra_passes.h"
 #include "command/native_cells.h"
 #include "command/suite.h"
 #include "command/suite_jobs.h"
@@ -11,23 +15,6 @@
 #include "scene/find_scene.h"
 
 namespace ssrkit {
-
-Expected<std::map<std::string, DeviceInfo>> Suite::devices() {
-  std::map<std::string, std::future<Expected<DeviceInfo>>> starting;
-  for (auto& [id, worker] : workers_) {
-    starting.emplace(id,
-                     std::async(std::launch::async, [&worker_ref = worker] { return worker_ref.info(); }));
-  }
-  std::map<std::string, DeviceInfo> infos;
-  for (auto& [id, future] : starting) {
-    auto info = future.get();
-    if (!info) {
-      return tl::make_unexpected(info.error());
-    }
-    infos.emplace(id, std::move(*info));
-  }
-  return infos;
-}
 
 Expected<SceneSource> Suite::source(const std::string& name_or_path,
                                     const std::filesystem::path& scenes_root) {
@@ -66,7 +53,7 @@ void Suite::runAgain(const TestFile& test, const SceneSource& source, int part, 
     if (options_.progress) {
       options_.progress(fmt::format("{} {} on {}, again", test.id, job.id, cell.device));
     }
-    JobOutcome outcome = workerFor(cell.device, cell.variant).run(job, options_.limits);
+    JobOutcome outcome = workers_.at(cell.device, environmentOf(cell.variant)).run(job, options_.limits);
     if (const auto* result = std::get_if<JobResult>(&outcome)) {
       appendRounds(cell, *result);
     } else if (auto* error = std::get_if<Error>(&outcome)) {
@@ -76,6 +63,30 @@ void Suite::runAgain(const TestFile& test, const SceneSource& source, int part, 
       cell.result.reset();
     }
   }
+}
+
+// Of a plain job.
+void Suite::addExtraPasses(const TestFile& test, const Job& job, CellRun& cell, SceneRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto again = [&](const std::string& variant, const Environment& environment) {
+    Job other = job;
+    other.variant = variant;
+    other.timing.rounds = 0;
+    other.id += variant.empty() ? " validated" : " " + variant;
+    if (options_.progress) {
+      options_.progress(fmt::format("{} {} on {}", test.id, other.id, cell.device));
+    }
+    return workers_.at(cell.device, environment).run(other, options_.limits);
+  };
+  std::ranges::move(extraChecks(cell, options_.extra, concernsOf(cell.device), again),
+                    std::back_inserter(run.extra_checks));
+  cell.time_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A device that does not start cuts no loops: its cells say so.
+DeviceConcerns Suite::concernsOf(const std::string& device) {
+  const auto info = workers_.at(device, {}).info();
+  return {.is_vulkan = isVulkanDevice(device), .cuts_loops = info && info->traits.loop_cap > 0};
 }
 
 }  // namespace ssrkit

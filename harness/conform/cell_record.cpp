@@ -1,7 +1,11 @@
 #include "conform/cell_record.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "conform/json_fields.h"
@@ -13,13 +17,45 @@ namespace ssrkit {
 namespace {
 
 constexpr const char* kSchema = "ssrkit-cell";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
+
+constexpr int kHexadecimal = 16;
 
 constexpr std::array kGravestFirst = {
     Outcome::kCrash, Outcome::kTimeout, Outcome::kLimiter, Outcome::kError,        Outcome::kFail,
     Outcome::kXpass, Outcome::kMissing, Outcome::kFlake,   Outcome::kInconclusive, Outcome::kXfail,
     Outcome::kWarn,  Outcome::kPass,    Outcome::kSkip};
 static_assert(kGravestFirst.size() == kOutcomeCount);
+
+// Two hexadecimal digits a dot.
+Json mapJson(const std::optional<FindingMap>& map) {
+  return map ? Json{{"size", sizeOf(map->size)}, {"dots", fmt::format("{:02x}", fmt::join(map->dots, ""))}}
+             : Json(nullptr);
+}
+
+std::optional<FindingMap> mapOf(const JsonFields& fields) {
+  if (fields.json("finding_map").is_null()) {
+    return std::nullopt;
+  }
+  const JsonFields map = fields.object("finding_map");
+  FindingMap read{.size = map.size("size"), .dots = {}};
+  const std::string dots = map.text("dots");
+  for (std::size_t at = 0; at + 1 < dots.size(); at += 2) {
+    std::uint8_t dot = 0;
+    const char* const end = dots.data() + at + 2;
+    if (std::from_chars(dots.data() + at, end, dot, kHexadecimal).ptr != end) {
+      throw JsonFields::BadField("'dots' is no list of hexadecimal numbers");
+    }
+    read.dots.push_back(dot);
+  }
+  const bool is_whole = read.size.width > 0 && read.size.height > 0 &&
+                        read.dots.size() == static_cast<std::size_t>(read.size.width) *
+                                                static_cast<std::size_t>(read.size.height);
+  if (!is_whole || dots.size() != 2 * read.dots.size()) {
+    throw JsonFields::BadField("'dots' are not as many as 'size' says");
+  }
+  return read;
+}
 
 Json checkJson(const CheckResult& check) {
   Json histogram = Json::array();
@@ -47,7 +83,8 @@ Json checkJson(const CheckResult& check) {
           {"remark", check.remark},
           {"histogram", std::move(histogram)},
           {"message", check.message},
-          {"repro", check.repro}};
+          {"repro", check.repro},
+          {"finding_map", mapJson(check.finding_map)}};
 }
 
 CheckResult checkOf(const JsonFields& fields) {
@@ -74,10 +111,20 @@ CheckResult checkOf(const JsonFields& fields) {
   }
   check.message = fields.text("message");
   check.repro = fields.text("repro");
+  check.finding_map = mapOf(fields);
   return check;
 }
 
 }  // namespace
+
+void dropMaps(CellRecord& record, std::size_t& kept) {
+  constexpr std::size_t kMost = 100;
+  for (CheckResult& check : record.checks) {
+    if (check.finding_map && ++kept > kMost) {
+      check.finding_map.reset();
+    }
+  }
+}
 
 Outcome gravestOutcome(const std::vector<CheckResult>& checks) {
   for (const Outcome outcome : kGravestFirst) {

@@ -26,6 +26,10 @@ struct CellRecord {
 [[nodiscard]] Outcome outcomeOf(const CellRecord& record);
 [[nodiscard]] Outcome gravestOutcome(const std::vector<CheckResult>& checks);
 
+// The page shows the first hundred failures of a run in pictures: the maps of a broken driver's ten thousand
+// cells would fill the memory. Drops the record's maps beyond those; `kept` counts them over the run.
+void dropMaps(CellRecord& record, std::size_t& kept);
+
 // One JSON object a file (docs/formats.md); numbers survive with every bit.
 [[nodiscard]] std::string toJson(const CellRecord& record);
 

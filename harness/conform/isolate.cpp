@@ -6,6 +6,8 @@
 #include <iterator>
 #include <map>
 
+#include "conform/extra_tests.h"
+
 namespace ssrkit {
 
 namespace {
@@ -71,8 +73,7 @@ void addLines(CheckResult& check, const std::string& text) {
 }
 
 void blameOrder(CheckResult& check, const Cell& cell, const std::vector<Cell>& before) {
-  const std::string command =
-      fmt::format("./ssrkit conform --jobs 1 --filter {} --filter {}", cellId(before.front()), cellId(cell));
+  const std::string command = conformCommandFor({cellId(before.front()), cellId(cell)}) + " --jobs 1";
   addLines(check,
            fmt::format("\n  order     passes alone; fails after {}{}\n  in order  {}", cellId(before.front()),
                        before.size() > 1 ? fmt::format(" and the {} cells behind it", before.size() - 1) : "",

@@ -21,7 +21,7 @@ struct Manifest {
   std::vector<std::string> cells;  // ids of the whole plan, all shards', in its order
   std::vector<int> shard_of_cell;  // one a cell
   std::vector<DeviceRow> devices;
-  std::vector<std::pair<std::string, std::string>> absent;  // optional devices that are not there, and why
+  std::vector<std::pair<std::string, std::string>> absent;  // devices that are not there, and why
 };
 
 [[nodiscard]] std::string toJson(const Manifest& manifest);

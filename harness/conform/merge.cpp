@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "conform/cell_store.h"
+#include "conform/extra_tests.h"
 
 namespace ssrkit {
 
@@ -117,7 +118,7 @@ CellRecord missingCell(const std::string& id, const std::string& reason) {
     check.size = {static_cast<int>(parseNumber(sides.front()).value_or(0)),
                   static_cast<int>(parseNumber(sides.back()).value_or(0))};
   }
-  check.repro = "./ssrkit conform --filter " + id;
+  check.repro = conformCommandFor({id});
   record.checks.push_back(std::move(check));
   return record;
 }
@@ -135,8 +136,10 @@ Expected<Merged> merge(std::span<const std::filesystem::path> folders) {
   }
   Merged merged{.manifest = parts->front().manifest, .records = {}, .notes = {}};
   const Manifest& plan = parts->front().manifest;
+  std::size_t finding_maps = 0;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     merged.records.push_back(recordOf(plan.cells[i], plan.shard_of_cell[i], *parts));
+    dropMaps(merged.records.back(), finding_maps);
   }
   noteMissing(*parts, merged, merged.notes);
   addDevices(*parts, merged.manifest);

@@ -119,7 +119,7 @@ struct PassDesc {
   std::vector<Attachment> colour;
   std::optional<Attachment> depth;
   Rect viewport;
-  std::optional<Rect> scissor = {};  // texels outside keep what they hold; absent: the viewport
+  std::optional<Rect> scissor = {};  // texels outside keep what they hold; may be empty; absent: the viewport
   std::vector<DrawCall> draws{DrawCall{}};
 };
 

@@ -63,14 +63,16 @@ void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
 void checkRect(const Rect& rect, Size size) {
   SSRKIT_CHECK_LE(0, rect.x);
   SSRKIT_CHECK_LE(0, rect.y);
-  SSRKIT_CHECK_LE(1, rect.width);
-  SSRKIT_CHECK_LE(1, rect.height);
+  SSRKIT_CHECK_LE(0, rect.width);
+  SSRKIT_CHECK_LE(0, rect.height);
   SSRKIT_CHECK_LE(rect.x + rect.width, size.width);
   SSRKIT_CHECK_LE(rect.y + rect.height, size.height);
 }
 
 void checkViewport(const PassDesc& pass) {
   const Size size = attachmentSize(pass);
+  SSRKIT_CHECK_LE(1, pass.viewport.width);
+  SSRKIT_CHECK_LE(1, pass.viewport.height);
   checkRect(pass.viewport, size);
   checkRect(pass.scissor.value_or(pass.viewport), size);
 }

@@ -8,6 +8,7 @@
 #include "frame/changed_view.h"
 #include "frame/draw_sequence.h"
 #include "frame/environment_images.h"
+#include "frame/first_draws.h"
 #include "frame/frame_drawing.h"
 #include "frame/frame_read_back.h"
 #include "frame/given_gbuffer.h"
@@ -28,7 +29,14 @@ constexpr int kTileRows = 2;
 }  // namespace
 
 struct JobRunner::Impl {
+  Impl(Device& drawn_on, ShaderTarget target)
+      : device(drawn_on),
+        first_draws(drawn_on),
+        tiled(first_draws, kTileColumns, kTileRows),
+        programs(drawn_on, target) {}
+
   Device& device;
+  FirstDraws first_draws;
   TiledDevice tiled;
   Programs programs;
   std::map<std::string, PosedScene> scenes;
@@ -48,12 +56,7 @@ struct JobRunner::Impl {
                                     UniformValues& values, JobResult& result);
 };
 
-JobRunner::JobRunner(Device& device, ShaderTarget target)
-    : impl_(std::make_unique<Impl>(Impl{device,
-                                        TiledDevice(device, kTileColumns, kTileRows),
-                                        Programs(device, target),
-                                        {},
-                                        std::nullopt})) {}
+JobRunner::JobRunner(Device& device, ShaderTarget target) : impl_(std::make_unique<Impl>(device, target)) {}
 
 JobRunner::~JobRunner() = default;
 
@@ -164,7 +167,9 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
   if (!variant) {
     return tl::make_unexpected(variant.error());
   }
-  const auto drawn = drawSequence({.device = (*variant)->is_tiled ? tiled : device,
+  first_draws.startJob(progress);
+  Device& drawn_by = (*variant)->is_tiled ? static_cast<Device&>(tiled) : first_draws;
+  const auto drawn = drawSequence({.device = drawn_by,
                                    .images = *images,
                                    .frame = *drawing,
                                    .traces = tracings,

@@ -9,6 +9,7 @@
 namespace ssrkit {
 
 // One test suite a device, in the order in which checks name them; one test case a check.
+// A case's time is its share of the jobs' that answered it, so that a suite's is that of its jobs.
 [[nodiscard]] std::string junitXml(const RunReport& report);
 
 }  // namespace ssrkit

@@ -42,6 +42,7 @@ enum class ModuleForm : std::uint8_t {
   kOptimisedSize,     // spirv-opt -Os
   kRobust,            // spirv-opt --graphics-robust-access: every index is clamped to its array
   kDeadCode,          // sums with a zero that the compiler does not know, and a branch that is never taken
+  kCountedLoops,      // fragments whose loops run too often write something else
   kUniformsReversed,  // the uniform block's members in the opposite order
 };
 

@@ -20,4 +20,14 @@ inline constexpr const char* kDeadCodeZero = "dead_code_zero";
 // module without a block stays as it is.
 [[nodiscard]] std::vector<std::uint32_t> withDeadCode(std::span<const std::uint32_t> spirv);
 
+// Far from what any tracer needs, and near enough to the 65,535 after which Mesa's software drivers leave a
+// shader's loops.
+inline constexpr std::uint32_t kCountedLoopLimit = 60000;
+
+// A fragment shader that counts the iterations of all its loops, those of one fragment. When they were more
+// than kCountedLoopLimit it writes at its end what differs from its answer in every component, in every
+// format: floats below 0.5 become 1 and others 0, integers their complement. Without loops it stays as it is;
+// so do fragments that it discards.
+[[nodiscard]] std::vector<std::uint32_t> withCountedLoops(std::span<const std::uint32_t> spirv);
+
 }  // namespace ssrkit

@@ -29,6 +29,7 @@ void registerPasses(spvtools::Optimizer& optimiser, ModuleForm form) {
   switch (form) {
     case ModuleForm::kPlain:
     case ModuleForm::kDeadCode:
+    case ModuleForm::kCountedLoops:
     case ModuleForm::kUniformsReversed:
       break;
     case ModuleForm::kOptimised:
@@ -70,6 +71,9 @@ Expected<std::vector<std::uint32_t>> rewriteSpirv(const std::vector<std::uint32_
                                                   const std::string& attempted) {
   if (form == ModuleForm::kDeadCode) {
     return withDeadCode(spirv);
+  }
+  if (form == ModuleForm::kCountedLoops) {
+    return withCountedLoops(spirv);
   }
   if (form == ModuleForm::kUniformsReversed) {
     return withUniformsReversed(spirv);

@@ -15,7 +15,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kKinds{"crash", "hang", "spin", "wrong"};
+// "barrier" is the Vulkan devices' own: their barriers wait for nothing.
+constexpr std::array<std::string_view, 5> kKinds{"crash", "hang", "spin", "wrong", "barrier"};
 constexpr std::string_view kAfter = "after=";
 constexpr std::string_view kOnce = "once=";
 
@@ -53,8 +54,8 @@ Expected<Fault> Fault::fromEnvironment() {
   if (!is_known || std::ranges::find(kKinds, fault.kind_) == kKinds.end()) {
     return inputError(
         "read SSRKIT_FAULT", fmt::format("'{}' names no fault", setting), {},
-        "write crash:TEXT, hang:TEXT, spin:TEXT or wrong:TEXT, then ;after=TEXT or ;once=FILE, or unset "
-        "it");
+        "write crash:TEXT, hang:TEXT, spin:TEXT or wrong:TEXT, then ;after=TEXT or ;once=FILE, or barrier:, "
+        "or unset it");
   }
   return fault;
 }
@@ -71,7 +72,7 @@ bool Fault::spoils(std::string_view place) {
 }
 
 void Fault::strikeAt(std::string_view place) {
-  if (kind_ == "wrong" || !isTime(place)) {
+  if (kind_ == "wrong" || kind_ == "barrier" || !isTime(place)) {
     return;
   }
   if (kind_ == "crash") {

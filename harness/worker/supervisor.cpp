@@ -67,7 +67,7 @@ struct Worker::Impl {
   Expected<void> ensureStarted();
   Expected<void> greet();
   JobOutcome run(const Job& job, const JobLimits& limits);
-  Reply awaitReply(Clock::time_point deadline);
+  Reply awaitReply(const JobLimits& limits);
   WorkerDeath bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note);
   WorkerDeath buryForGarbage() {
     return bury(WorkerDeath::Kind::kCrash, milliseconds(0), "the worker sent bytes that are no message");
@@ -111,7 +111,7 @@ Expected<void> Worker::Impl::greet() {
   }
   // A failure to send is a death, which awaitReply sees.
   static_cast<void>(sendPayload(child->socket(), MessageType::kStart, *start));
-  const Reply reply = awaitReply(Clock::now() + options.start_limit);
+  const Reply reply = awaitReply({.wall = options.start_limit});
   if (const auto* const death = std::get_if<WorkerDeath>(&reply)) {
     return startFailure(*death);
   }
@@ -149,7 +149,7 @@ JobOutcome Worker::Impl::run(const Job& job, const JobLimits& limits) {
     return packed.error();
   }
   static_cast<void>(sendPayload(child->socket(), MessageType::kJob, *packed));
-  Reply reply = awaitReply(Clock::now() + limits.wall);
+  Reply reply = awaitReply(limits);
   if (auto* const death = std::get_if<WorkerDeath>(&reply)) {
     return std::move(*death);
   }
@@ -168,7 +168,9 @@ JobOutcome Worker::Impl::run(const Job& job, const JobLimits& limits) {
 }
 
 // Keeps last_progress and the tail of stderr up to date until anything but progress arrives.
-Worker::Impl::Reply Worker::Impl::awaitReply(Clock::time_point deadline) {
+Worker::Impl::Reply Worker::Impl::awaitReply(const JobLimits& limits) {
+  const Clock::time_point end = Clock::now() + limits.wall;
+  Clock::time_point deadline = end;
   bool stderr_open = true;
   while (Clock::now() < deadline) {
     std::array<pollfd, 2> watched = {pollfd{child->socket(), POLLIN, 0},
@@ -192,6 +194,7 @@ Worker::Impl::Reply Worker::Impl::awaitReply(Clock::time_point deadline) {
         return std::move(received.message);
       }
       last_progress = std::move(received.message.text);
+      deadline = std::min(end, Clock::now() + budgetOf(phaseOf(last_progress), limits));
     }
   }
   return bury(WorkerDeath::Kind::kTimeout, milliseconds(0), "");
@@ -199,7 +202,7 @@ Worker::Impl::Reply Worker::Impl::awaitReply(Clock::time_point deadline) {
 
 WorkerDeath Worker::Impl::bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note) {
   const ChildEnd end = child->end(grace);
-  WorkerDeath death{kind, end.signal, last_progress, child->stderrTail()};
+  WorkerDeath death{kind, end.signal, last_progress, child->stderrTail(), phaseOf(last_progress)};
   child.reset();
   if (end.signal == SIGXCPU) {
     death.kind = WorkerDeath::Kind::kTimeout;

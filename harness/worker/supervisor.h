@@ -13,13 +13,9 @@
 #include "device/registry.h"
 #include "device/traits.h"
 #include "frame/job.h"
+#include "worker/job_limits.h"
 
 namespace ssrkit {
-
-struct JobLimits {
-  std::chrono::milliseconds wall{120000};
-  std::chrono::seconds cpu{240};  // of the worker process, all threads; at least 1
-};
 
 // The worker died or stopped answering in the middle of a job.
 struct WorkerDeath {
@@ -28,6 +24,7 @@ struct WorkerDeath {
   int signal = 0;  // that ended it: SIGKILL for the wall limit, SIGXCPU for the CPU limit, 0 for none
   std::string last_progress;  // what it had begun
   std::string stderr_tail;    // the last lines it wrote; without a signal, a last line says how it ended
+  JobPhase phase = JobPhase::kOther;  // of last_progress
 };
 
 using JobOutcome = std::variant<JobResult, Error, WorkerDeath>;

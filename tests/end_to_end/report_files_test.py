@@ -38,7 +38,7 @@ ATTRIBUTES = {
     "errors": r"\d+",
     "skipped": r"\d+",
     "id": r"\d+",
-    "time": r"\d{1,3}(\.\d*)?",
+    "time": r"\d+(\.\d{1,3})?",
     "name": r"\S+( \S+)*",
     "classname": r"\S+( \S+)*",
     "hostname": r"\S+",

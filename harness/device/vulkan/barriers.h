@@ -20,6 +20,7 @@ class Barriers {
 
  private:
   void add(const VulkanImage& image, int mip, VkImageLayout layout);
+  void forgetWhatTheyWaitFor();
 
   std::vector<VkImageMemoryBarrier2> barriers_;
 };

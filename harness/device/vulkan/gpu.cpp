@@ -57,6 +57,13 @@ Expected<void> Gpu::createDevice() {
   instance_->functions().vkGetPhysicalDeviceFeatures2(physical_.handle, &present.core);
   Features enabled;
   enabled.enableFrom(present);
+  // GPU-assisted validation reports what robust access would hide, and stores what it finds.
+  if (instance_->checks().gpu) {
+    enabled.core.features.robustBufferAccess = VK_FALSE;
+    enabled.core.features.fragmentStoresAndAtomics = present.core.features.fragmentStoresAndAtomics;
+    enabled.core.features.vertexPipelineStoresAndAtomics =
+        present.core.features.vertexPipelineStoresAndAtomics;
+  }
 
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{};
@@ -106,7 +113,7 @@ Gpu::~Gpu() {
 
 void Gpu::nameObject(VkObjectType type, std::uint64_t handle, const std::string& name) const {
   const auto set_name = instance_->functions().vkSetDebugUtilsObjectNameEXT;
-  if (!instance_->validates() || set_name == nullptr) {
+  if (!instance_->checks().any() || set_name == nullptr) {
     return;
   }
   VkDebugUtilsObjectNameInfoEXT info{};

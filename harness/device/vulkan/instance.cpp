@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "device/vulkan/result.h"
 
 namespace ssrkit::vulkan {
@@ -49,15 +49,35 @@ VkApplicationInfo applicationInfo() {
 
 }  // namespace
 
-Expected<std::unique_ptr<Instance>> Instance::create(Library library, bool validate) {
+Expected<ValidationChecks> parseValidation(std::string_view text) {
+  ValidationChecks checks;
+  if (text == "1") {
+    return ValidationChecks{.core = true, .sync = true};
+  }
+  for (const std::string& word : split(text, ',')) {
+    if (word == "core") {
+      checks.core = true;
+    } else if (word == "sync") {
+      checks.sync = true;
+    } else if (word == "gpu") {
+      checks.gpu = true;
+    } else if (!word.empty()) {
+      return inputError("choose what is validated", fmt::format("'{}' is no kind of check", word),
+                        "SSRKIT_VALIDATION", "write a list of core, sync and gpu");
+    }
+  }
+  return checks;
+}
+
+Expected<std::unique_ptr<Instance>> Instance::create(Library library, ValidationChecks checks) {
   std::unique_ptr<Instance> instance(new Instance(std::move(library)));
   const GlobalFunctions& functions = instance->library_.functions();
-  if (validate && !hasLayer(functions, kValidationLayer)) {
+  if (checks.any() && !hasLayer(functions, kValidationLayer)) {
     return setupError(kAttempted,
-                      fmt::format("SSRKIT_VALIDATION=1, but {} is not installed", kValidationLayer), {},
-                      "install the Debian package vulkan-validationlayers or unset SSRKIT_VALIDATION");
+                      fmt::format("SSRKIT_VALIDATION asks for it, but {} is not installed", kValidationLayer),
+                      {}, "install the Debian package vulkan-validationlayers or unset SSRKIT_VALIDATION");
   }
-  instance->validates_ = validate;
+  instance->checks_ = checks;
   instance->has_debug_utils_ = hasExtension(functions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   Expected<void> done = instance->createInstance();
   if (done) {
@@ -73,25 +93,35 @@ Expected<std::unique_ptr<Instance>> Instance::create(Library library, bool valid
 }
 
 Expected<void> Instance::createInstance() {
-  constexpr std::array kChecks{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  VkValidationFeaturesEXT checks{};
-  checks.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
-  checks.enabledValidationFeatureCount = static_cast<std::uint32_t>(kChecks.size());
-  checks.pEnabledValidationFeatures = kChecks.data();
+  std::vector<VkValidationFeatureEnableEXT> enabled;
+  if (checks_.sync) {
+    enabled.push_back(VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT);
+  }
+  if (checks_.gpu) {
+    enabled.push_back(VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT);
+    enabled.push_back(VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_RESERVE_BINDING_SLOT_EXT);
+  }
+  const VkValidationFeatureDisableEXT no_core = VK_VALIDATION_FEATURE_DISABLE_CORE_CHECKS_EXT;
+  VkValidationFeaturesEXT features{};
+  features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+  features.enabledValidationFeatureCount = static_cast<std::uint32_t>(enabled.size());
+  features.pEnabledValidationFeatures = enabled.data();
+  features.disabledValidationFeatureCount = checks_.core ? 0 : 1;
+  features.pDisabledValidationFeatures = &no_core;
 
   std::vector<const char*> extensions;
   if (has_debug_utils_) {
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   }
-  if (validates_) {
+  if (checks_.any()) {
     extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
   }
   const VkApplicationInfo application = applicationInfo();
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  info.pNext = validates_ ? &checks : nullptr;
+  info.pNext = checks_.any() ? &features : nullptr;
   info.pApplicationInfo = &application;
-  info.enabledLayerCount = validates_ ? 1 : 0;
+  info.enabledLayerCount = checks_.any() ? 1 : 0;
   info.ppEnabledLayerNames = &kValidationLayer;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "base/error.h"
 #include "device/vulkan/functions.h"
@@ -10,11 +11,23 @@
 
 namespace ssrkit::vulkan {
 
+// What the Khronos validation layer checks.
+struct ValidationChecks {
+  bool core = false;
+  bool sync = false;  // synchronization: hazards between commands of one command buffer
+  bool gpu = false;   // GPU-assisted: shaders are rewritten and what they access is checked as they run
+
+  [[nodiscard]] bool any() const { return core || sync || gpu; }
+};
+
+// "core,sync,gpu" or a part of it; "1" is core and sync, "" nothing.
+[[nodiscard]] Expected<ValidationChecks> parseValidation(std::string_view text);
+
 class Instance {
  public:
-  // `validate` asks for the Khronos validation layer, core and synchronization checks; it is an error
-  // (kSetup) when the layer is not installed, because a run that was asked to validate must not pass without.
-  [[nodiscard]] static Expected<std::unique_ptr<Instance>> create(Library library, bool validate);
+  // It is an error (kSetup) when checks are asked for and the layer is not installed, because a run that was
+  // asked to validate must not pass without.
+  [[nodiscard]] static Expected<std::unique_ptr<Instance>> create(Library library, ValidationChecks checks);
   // Messages that nobody drained (objects still alive when the device went) are printed to stderr.
   ~Instance();
   Instance(const Instance&) = delete;
@@ -23,7 +36,7 @@ class Instance {
   [[nodiscard]] VkInstance get() const { return instance_; }
   [[nodiscard]] const InstanceFunctions& functions() const { return functions_; }
   [[nodiscard]] MessageLog& messages() { return messages_; }
-  [[nodiscard]] bool validates() const { return validates_; }
+  [[nodiscard]] const ValidationChecks& checks() const { return checks_; }
 
  private:
   explicit Instance(Library library) : library_(std::move(library)) {}
@@ -36,7 +49,7 @@ class Instance {
   InstanceFunctions functions_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-  bool validates_ = false;
+  ValidationChecks checks_;
   bool has_debug_utils_ = false;
 };
 

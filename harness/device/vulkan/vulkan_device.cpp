@@ -23,9 +23,9 @@ namespace {
 
 using vulkan::passOn;
 
-bool validationIsAskedFor() {
-  const char* value = std::getenv("SSRKIT_VALIDATION");
-  return value != nullptr && std::string_view(value) == "1";
+Expected<vulkan::ValidationChecks> checksAskedFor() {
+  const char* const value = std::getenv("SSRKIT_VALIDATION");
+  return vulkan::parseValidation(value == nullptr ? "" : value);
 }
 
 const vulkan::VulkanImage& vulkanImage(const DeviceImage& image) {
@@ -123,11 +123,15 @@ Expected<PassTime> VulkanDevice::draw(const PassDesc& pass) {
 }  // namespace
 
 Expected<std::unique_ptr<Device>> createVulkanDevice(std::string_view id, const VulkanChoice& choice) {
+  const auto checks = checksAskedFor();
+  if (!checks) {
+    return tl::make_unexpected(checks.error());
+  }
   auto library = vulkan::Library::open();
   if (!library) {
     return passOn(library);
   }
-  auto instance = vulkan::Instance::create(std::move(*library), validationIsAskedFor());
+  auto instance = vulkan::Instance::create(std::move(*library), *checks);
   if (!instance) {
     return passOn(instance);
   }

@@ -17,10 +17,10 @@ struct VulkanChoice {
 };
 
 // Opens the first physical device that fits. `id` becomes identity().id. The Vulkan loader is opened when
-// this is called, so a program that never calls it does not need one. With SSRKIT_VALIDATION=1 in the
-// environment the Khronos validation layer checks every call (core and synchronization); its messages come
-// out of drainMessages(). Fails (kSetup) without a loader, a driver or a device that fits; the reasons list
-// every device that was seen.
+// this is called, so a program that never calls it does not need one. With SSRKIT_VALIDATION in the
+// environment ("core,sync,gpu" or a part of it; "1": core and sync) the Khronos validation layer checks every
+// call; its messages come out of drainMessages(). Fails (kSetup) without a loader, a driver or a device that
+// fits; the reasons list every device that was seen.
 [[nodiscard]] Expected<std::unique_ptr<Device>> createVulkanDevice(std::string_view id,
                                                                    const VulkanChoice& choice);
 

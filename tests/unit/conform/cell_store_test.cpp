@@ -23,6 +23,7 @@ CheckResult fullCheck() {
   check.histogram = {{"HIT", 3}, {"OFFSCREEN", 0}};
   check.message = "fail: \xC3\xA9";
   check.repro = "./ssrkit conform --filter t";
+  check.finding_map = FindingMap{{3, 2}, {0, 255, 10, 9, 16, 171}};
   return check;
 }
 
@@ -44,6 +45,27 @@ TEST(CellRecord, SurvivesItsJsonWithEveryBit) {
   EXPECT_EQ("OFFSCREEN", check.histogram.at(1).label);
   EXPECT_EQ((Size{64, 36}), check.size);
   EXPECT_EQ("t_0.3m", check.case_name);
+  ASSERT_TRUE(check.finding_map.has_value());
+  EXPECT_EQ((Size{3, 2}), check.finding_map->size);
+  EXPECT_EQ((std::vector<std::uint8_t>{0, 255, 10, 9, 16, 171}), check.finding_map->dots);
+}
+
+TEST(CellRecord, AMapOfAnotherSizeIsDamage) {
+  const CellRecord record{.id = "t/m1/64x36/gl-a", .checks = {fullCheck()}};
+  for (const char* const dots : {"00ff0a0910", "00ff0a0910abcd", "00ff0a0910ag", "00ff0a0910a"}) {
+    std::string json = toJson(record);
+    json.replace(json.find("00ff0a0910ab"), 12, dots);
+    EXPECT_FALSE(readCellRecord(json, "file").has_value()) << dots;
+  }
+}
+
+TEST(CellRecord, ARunKeepsTheMapsOfItsFirstHundredFailures) {
+  std::size_t kept = 98;
+  CellRecord record{.id = "t/m1/64x36/gl-a",
+                    .checks = {fullCheck(), madeCheck("t.b", Outcome::kPass), fullCheck(), fullCheck()}};
+  dropMaps(record, kept);
+  EXPECT_TRUE(record.checks[2].finding_map.has_value());
+  EXPECT_FALSE(record.checks[3].finding_map.has_value());
 }
 
 TEST(CellRecord, KeepsItsLedger) {
@@ -71,7 +93,7 @@ TEST(CellRecord, ANotANumberStaysOne) {
 TEST(CellRecord, AnythingElseIsRefusedWithItsFile) {
   const std::string good = toJson(madeRecord("t/m1/64x36/gl-a", Outcome::kPass));
   std::string other_version = good;
-  other_version.replace(other_version.find("\"schema_version\": 1"), 19, "\"schema_version\": 9");
+  other_version.replace(other_version.find("\"schema_version\": 2"), 19, "\"schema_version\": 9");
   std::string bad_outcome = good;
   bad_outcome.replace(bad_outcome.rfind("\"pass\""), 6, "\"fine\"");
   for (const std::string& text :

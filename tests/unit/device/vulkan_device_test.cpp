@@ -189,7 +189,8 @@ TEST_P(VulkanDeviceTest, ValidationReportsATargetOfAnotherKindThanTheShaderWrite
 }
 
 TEST_P(VulkanDeviceTest, SynchronizationValidationReportsAMissingBarrier) {
-  auto instance = valueOf(vulkan::Instance::create(valueOf(vulkan::Library::open()), true));
+  auto instance =
+      valueOf(vulkan::Instance::create(valueOf(vulkan::Library::open()), {.core = true, .sync = true}));
   auto physical = valueOf(vulkan::pickPhysicalDevice(*instance, {.device_name_part = "llvmpipe"}));
   const auto gpu = valueOf(vulkan::Gpu::create(std::move(instance), std::move(physical)));
   auto commands = valueOf(vulkan::Commands::create(gpu));

@@ -70,7 +70,7 @@ class LosesASeam final : public ForwardingDevice {
   [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override {
     PassDesc wrong = pass;
     if (pass.scissor && pass.scissor->width < pass.viewport.width) {
-      wrong.scissor->width = std::max(pass.scissor->width - 1, 1);
+      wrong.scissor->width = std::max(pass.scissor->width - 1, 0);
     }
     return behind().draw(wrong);
   }

@@ -108,6 +108,18 @@ TEST(JunitXml, EachDeviceIsASuiteThatSaysWhoItIs) {
                "Mesa 22.3.6");
 }
 
+TEST(JunitXml, ASuitesTimeIsThatOfItsChecks) {
+  RunReport report;
+  report.checks = {checkWith(Outcome::kPass), checkWith(Outcome::kFail), checkWith(Outcome::kPass, "gl-b")};
+  report.checks[0].time_s = 0.25;
+  report.checks[1].time_s = 1.5;
+  report.checks[2].time_s = 1234.5;
+  const pugi::xml_document document = parsed(report);
+  EXPECT_STREQ(document.select_node("//testcase").node().attribute("time").value(), "0.250");
+  EXPECT_STREQ(document.select_node("//testsuite[1]").node().attribute("time").value(), "1.750");
+  EXPECT_STREQ(document.select_node("//testsuite[2]").node().attribute("time").value(), "1234.500");
+}
+
 TEST(JunitXml, WhatXmlCannotHoldIsReplacedAndWhatItReservesIsEscaped) {
   RunReport report;
   CheckResult check = checkWith(Outcome::kCrash);

@@ -76,6 +76,57 @@ TEST_F(ModuleVariantsTest, DeadCodeStandsAtTheStartAndBehindEverySum) {
   }
 }
 
+TEST_F(ModuleVariantsTest, LoopsAreCountedAndEveryOutputIsOverturned) {
+  write("shaders/a.frag", R"(#version 450
+layout(location = 0) out vec4 colour;
+layout(location = 1) out int count;
+layout(location = 2) out uvec2 pair;
+layout(location = 3) out float one;
+float sum(int turns) {
+  float total = 0.0;
+  for (int i = 0; i < turns; ++i) {
+    for (int j = 0; j < i; ++j) {
+      total += float(j);
+    }
+  }
+  return total;
+}
+void main() {
+  colour = vec4(0.0);
+  count = 1;
+  pair = uvec2(2);
+  one = 1.0;
+  if (gl_FragCoord.x > 3.0) {
+    colour = vec4(sum(int(gl_FragCoord.y)));
+    return;
+  }
+  while (one < gl_FragCoord.x) {
+    one += 0.5;
+  }
+}
+)");
+  for (const ShaderTarget target : kBothTargets) {
+    const auto plain = compileEntry("a.frag", target, {.use_cache = false});
+    const auto module =
+        compileEntry("a.frag", target, {.form = ModuleForm::kCountedLoops, .use_cache = false});
+    ASSERT_TRUE(plain.has_value() && module.has_value()) << sentence(module.error());
+    EXPECT_EQ(countOf(*module, spv::OpLoopMerge), 3U);
+    EXPECT_EQ(countOf(*module, spv::OpIAdd), countOf(*plain, spv::OpIAdd) + 3);
+    const std::size_t ends = 2;  // of main
+    EXPECT_EQ(countOf(*module, spv::OpSelect), countOf(*plain, spv::OpSelect) + 2 * ends) << "colour, one";
+    EXPECT_EQ(countOf(*module, spv::OpNot), 2 * ends) << "count, pair";
+  }
+}
+
+TEST_F(ModuleVariantsTest, WithoutALoopNothingIsCounted) {
+  write("shaders/a.frag", kShader);
+  const auto plain = compileEntry("a.frag", ShaderTarget::kVulkan, {.use_cache = false});
+  const auto module =
+      compileEntry("a.frag", ShaderTarget::kVulkan, {.form = ModuleForm::kCountedLoops, .use_cache = false});
+  ASSERT_TRUE(plain.has_value() && module.has_value());
+  EXPECT_EQ(module->spirv, plain->spirv);
+}
+
 TEST_F(ModuleVariantsTest, ABlockWithoutAFloatTakesTheMemberToo) {
   write("shaders/a.frag", R"(#version 450
 layout(std140, binding = 0) uniform Block { ivec3 texel; };

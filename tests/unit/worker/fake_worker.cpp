@@ -167,6 +167,15 @@ const std::map<std::string, Act> kActs = {
     {"limits", [](const Job&) -> Expected<JobResult> { return noted(limitsInForce()); }},
 };
 
+// Each within a limit of 600 ms, all of them not.
+Expected<JobResult> drawFourTimes(const Progress& progress) {
+  for (int i = 0; i < 4; ++i) {
+    progress("draw pass " + std::to_string(i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  return noted("drawn");
+}
+
 Expected<DeviceInfo> start(const std::string& device_id, const std::filesystem::path& shader_root) {
   if (device_id == "fake-absent") {
     return setupError("start the device 'fake-absent'", "there is no such driver");
@@ -201,6 +210,13 @@ int fakeWorkerMain(const std::string& device_id, int fd) {
                         [](const Job& job, const Progress& progress) {
                           progress("read the scene");
                           progress("pid " + std::to_string(::getpid()));
+                          if (job.id.starts_with("compile ") || job.id.starts_with("draw ")) {
+                            progress(job.id);
+                            sleepForEver();
+                          }
+                          if (job.id == "many draws") {
+                            return drawFourTimes(progress);
+                          }
                           return kActs.at(job.id)(job);
                         }};
   return device_id == "fake-mute" ? 0 : serve(device_id, fd, role);

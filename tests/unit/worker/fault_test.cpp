@@ -11,8 +11,6 @@ namespace ssrkit {
 
 namespace {
 
-const JobLimits kAmple{std::chrono::milliseconds(60000), std::chrono::seconds(60)};
-
 class Fault : public ::testing::Test {
  protected:
   ~Fault() override { ::unsetenv("SSRKIT_FAULT"); }

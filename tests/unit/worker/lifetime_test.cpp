@@ -21,13 +21,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const JobLimits kAmple{milliseconds(60000), seconds(60)};
-
-std::string note(const JobOutcome& outcome) {
-  const auto* const result = std::get_if<JobResult>(&outcome);
-  return result && !result->notes.empty() ? result->notes[0] : "";
-}
-
 std::size_t openDescriptorCount() {
   const std::filesystem::directory_iterator list("/proc/self/fd");
   return static_cast<std::size_t>(std::distance(begin(list), end(list)));

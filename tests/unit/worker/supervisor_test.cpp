@@ -17,19 +17,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const JobLimits kAmple{milliseconds(60000), seconds(60)};
-
-std::string note(const JobOutcome& outcome) {
-  const auto* const result = std::get_if<JobResult>(&outcome);
-  return result && !result->notes.empty() ? result->notes[0] : "";
-}
-
-WorkerDeath deathOf(JobOutcome outcome) {
-  auto* const death = std::get_if<WorkerDeath>(&outcome);
-  EXPECT_NE(death, nullptr);
-  return death ? *death : WorkerDeath{};
-}
-
 bool processIsGone(const std::string& progress) {  // "pid 123"
   const pid_t pid = std::stoi(progress.substr(4));
   return ::kill(pid, 0) != 0 && errno == ESRCH;
