@@ -21,6 +21,12 @@ OUTSIDE = OUTPUTS % """
   hit_point = vec4(list[0], list[1], list[2], list[3]);
 """
 
+# Reads far behind the uniform block.
+OUTSIDE_BLOCK = OUTPUTS.replace("void main", """layout(std140, binding = 0) uniform Block { mat4 clip_from_view; };
+void main""") % """
+  hit_point = clip_from_view[int(gl_FragCoord.x) * 100];
+"""
+
 # Adds up a series, so that the number of turns shows in the answer.
 TURNS = OUTPUTS.replace("%s", """
   float sum = 0.0;
@@ -92,6 +98,16 @@ class Validation(SafetyTest):
                 result = self.validate(checks)
                 self.assert_exit(0, result)
                 self.assertEqual("pass", self.checks("validation")["vk-lavapipe"][0])
+
+    def test_a_read_behind_the_uniform_block_is_told_while_the_shader_runs(self):
+        self.write("own.frag", OUTSIDE_BLOCK)
+        result = self.trace("--safety", "--validate", "gpu", "--replace", "walk=own.frag", stage="walk",
+                            device="vk-lavapipe", size="16x12")
+        self.assert_exit(1, result)
+        outcome, message = self.checks("validation")["vk-lavapipe"]
+        self.assertEqual("fail", outcome)
+        self.assertIn("access out of bounds", message)
+        self.assertEqual("fail", self.checks("out_of_bounds")["vk-lavapipe"][0])
 
     def test_barriers_that_wait_for_nothing_are_hazards(self):
         result = self.validate("sync", env={"SSRKIT_FAULT": "barrier:"})

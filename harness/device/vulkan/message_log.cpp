@@ -2,9 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 namespace ssrkit::vulkan {
+
+namespace {
+
+// What the layer says of its own checks where a device lacks 64-bit integers: the kit uses no device
+// addresses.
+bool isOfDeviceAddresses(std::string_view text) {
+  return text.find("No buffer device address checking will be attempted") != std::string_view::npos;
+}
+
+}  // namespace
 
 VkDebugUtilsMessengerCreateInfoEXT MessageLog::messengerInfo() {
   VkDebugUtilsMessengerCreateInfoEXT info{};
@@ -28,10 +39,13 @@ VkBool32 MessageLog::receive(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
 void MessageLog::add(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                      const VkDebugUtilsMessengerCallbackDataEXT& data) {
   const bool is_error = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  const char* const text = data.pMessage == nullptr ? "(no text)" : data.pMessage;
+  if (isOfDeviceAddresses(text)) {
+    return;
+  }
   const std::scoped_lock lock(mutex_);
   error_count_ += is_error ? 1 : 0;
-  messages_.push_back(fmt::format("{}: {}", is_error ? "error" : "warning",
-                                  data.pMessage == nullptr ? "(no text)" : data.pMessage));
+  messages_.push_back(fmt::format("{}: {}", is_error ? "error" : "warning", text));
 }
 
 std::vector<std::string> MessageLog::drain() {
