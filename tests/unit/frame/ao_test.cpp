@@ -158,7 +158,7 @@ TEST_P(AoTest, ARightAngleHasItsClosedForm) {
         const double across_m = std::abs(ray.x) * 4.0 / (1.0 + std::abs(ray.x));
         expected += cornerVisibility(std::numbers::sqrt2 * across_m / radius_m) / 4.0;
       }
-        if (!(std::abs(found - expected) < kSamplingError)) {
+      if (!(std::abs(found - expected) < kSamplingError)) {
         return fmt::format("columns from {}: {}, expected {}", first, found, expected);
       }
     }
