@@ -16,6 +16,9 @@ struct WorkerRole {
   std::function<Expected<JobResult>(const Job&, const Progress&)> run;
 };
 
+// The exit code of a worker whose socket was closed while it was at work.
+inline constexpr int kAbandoned = 4;
+
 // Answers on the socket `fd` until the supervisor closes it, one job at a time; exceptions become errors.
 // When the supervisor goes away in the middle of a job, the process ends by itself within two seconds.
 // Returns the exit code.

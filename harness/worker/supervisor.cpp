@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "worker/child_process.h"
 #include "worker/message.h"
+#include "worker/serve.h"
 #include "worker/wire.h"
 
 namespace ssrkit {
@@ -20,8 +21,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// For a worker that closes its socket or is told to go: a crash takes a moment to write its message.
-constexpr milliseconds kGrace{1000};
+// For a worker that closes its socket: its threads' ends take a moment, on a busy machine more than a second.
+constexpr milliseconds kGrace{5000};
 constexpr std::size_t kMaxReasons = 20;
 
 std::string describe(const WorkerDeath& death) {
@@ -211,13 +212,12 @@ WorkerDeath Worker::Impl::bury(WorkerDeath::Kind kind, milliseconds grace, const
     return death;
   }
   std::string last_line = note;
-  if (end.was_killed) {
+  const bool went_on = end.was_killed || (end.signal == 0 && end.exit_code == kAbandoned);
+  if (went_on) {
     death.signal = 0;  // ours, and not the cause
+    last_line = note.empty() ? "the worker closed its socket and went on" : note;
   } else if (end.signal == 0) {
     last_line = fmt::format("the worker exited with code {} before it answered", end.exit_code);
-  }
-  if (end.was_killed && note.empty()) {
-    last_line = "the worker closed its socket and went on";
   }
   if (!last_line.empty()) {
     const bool needs_newline = !death.stderr_tail.empty() && death.stderr_tail.back() != '\n';

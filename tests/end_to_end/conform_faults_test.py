@@ -56,6 +56,21 @@ class Faults(ConformTest):
         again = re.search(r"again     \./ssrkit (conform .*)", result.out).group(1).split()
         self.assert_exit(0, self.ssrkit(*again, "--out", "again"))
 
+    def pictures(self, out):
+        """Those on the page of a run, PNG files in base64."""
+        with open(self.path(out, "report.html")) as file:
+            return set(re.findall(r"iVBORw0KGgo[A-Za-z0-9+/=]+", file.read()))
+
+    def test_a_resumed_or_merged_run_still_shows_where_it_failed(self):
+        fault = {"SSRKIT_FAULT": "wrong:vk-lavapipe trace.bits m2 33x17"}
+        self.assert_exit(1, self.few(env=fault, filters=[CELL]))
+        shown = self.pictures("out")
+        self.assertGreaterEqual(len(shown), 2)
+        self.assert_exit(1, self.ssrkit("conform", "merge", "out", "--out", "merged"))
+        self.assertEqual(shown, self.pictures("merged"))
+        self.assert_exit(1, self.few("--resume", filters=[CELL]))
+        self.assertEqual(shown, self.pictures("out"))
+
     def test_a_repeated_run_finds_what_fails_now_and_then(self):
         result = self.few("--repeat", "3", filters=[CELL],
                           env={"SSRKIT_FAULT": f"wrong:vk-lavapipe trace.bits m2;once={self.path('once')}"})
