@@ -18,8 +18,34 @@ namespace fs = std::filesystem;
 constexpr const char* kShaderDevice =
     "gl_osmesa";  // the instance of unit tests that runs over mutants of shaders
 
+// The device room's tests run on every software device. Each of these in a process of its own: a driver is
+// chosen once a process.
+const std::vector<std::string> kDeviceInstances = {kShaderDevice, "vk_lavapipe"};
+
+// A worker grows by some 40 MiB with each mutant of a shader.
+constexpr int kMutantsPerSuite = 16;
+
 bool intersect(const std::set<std::string>& a, const std::set<std::string>& b) {
   return std::ranges::any_of(a, [&](const std::string& element) { return b.contains(element); });
+}
+
+// What one run of a room's test program is asked for.
+struct UnitTestProcess {
+  std::string room;
+  std::set<std::string> tests;
+  std::string instance;  // "" for all
+};
+
+std::vector<UnitTestProcess> inProcesses(const TestsByRoom& tests_by_room,
+                                         const std::string& wanted_instance) {
+  std::vector<UnitTestProcess> processes;
+  for (const auto& [room, tests] : tests_by_room) {
+    const bool one_each = room == "device" && wanted_instance.empty();
+    for (const std::string& instance : one_each ? kDeviceInstances : std::vector{wanted_instance}) {
+      processes.push_back({room, tests, instance});
+    }
+  }
+  return processes;
 }
 
 Expected<void> checkKiller(const Mutant& mutant, const MutationPlan& plan) {
@@ -119,9 +145,9 @@ void MutantRunner::note(const std::map<std::string, std::string>& said, MutantRu
   }
 }
 
-Expected<void> MutantRunner::runUnit(const TestsByRoom& tests_by_room, const std::string& instance,
+Expected<void> MutantRunner::runUnit(const TestsByRoom& tests_by_room, const std::string& wanted_instance,
                                      const fs::path& shaders, const fs::path& program, MutantRun& result) {
-  for (const auto& [room, tests] : tests_by_room) {
+  for (const auto& [room, tests, instance] : inProcesses(tests_by_room, wanted_instance)) {
     UnitTestRun run{.program = program.empty() ? plan_.paths.build / "bin" / ("test_" + room) : program,
                     .tests = {tests.begin(), tests.end()},
                     .instance = instance,
@@ -144,7 +170,8 @@ Expected<void> MutantRunner::runUnit(const TestsByRoom& tests_by_room, const std
 
 Expected<void> MutantRunner::runBattery(const MutantChecks& checks, const fs::path& shaders,
                                         const std::string& first, MutantRun& result) {
-  if (suite_ == nullptr) {
+  if (suite_ == nullptr || mutants_in_suite_++ % kMutantsPerSuite == 0) {
+    suite_.reset();
     auto suite = batterySuite(plan_.battery, plan_.paths);
     if (!suite) {
       return tl::make_unexpected(suite.error());

@@ -43,7 +43,8 @@ struct MutantChecks {
 
 [[nodiscard]] MutantChecks checksFor(const Mutant& mutant, const MutationPlan& plan);
 
-// One after the other, with workers of its own that live on from one mutant to the next.
+// One after the other, with workers of its own that live on from one mutant to the next, for some mutants: a
+// driver keeps the code of every shader that it was ever given.
 class MutantRunner {
  public:
   // `scratch` is a folder of this runner's own.
@@ -56,7 +57,7 @@ class MutantRunner {
 
  private:
   Expected<void> hold(const Mutant& mutant, MutantRun& result);
-  Expected<void> runUnit(const TestsByRoom& tests_by_room, const std::string& instance,
+  Expected<void> runUnit(const TestsByRoom& tests_by_room, const std::string& wanted_instance,
                          const std::filesystem::path& shaders, const std::filesystem::path& program,
                          MutantRun& result);
   // The test that makes the check `first` goes first.
@@ -67,7 +68,8 @@ class MutantRunner {
 
   const MutationPlan& plan_;
   std::filesystem::path scratch_;
-  std::unique_ptr<Suite> suite_;  // made at the first use
+  std::unique_ptr<Suite> suite_;  // made at the first use, and anew from time to time
+  int mutants_in_suite_ = 0;
 };
 
 }  // namespace ssrkit
