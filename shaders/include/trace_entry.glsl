@@ -1,8 +1,8 @@
 // What every trace_*.frag shares: bindings, the ray's surface, the record. An entry file includes this, defines how the
 // depth is read, includes its march and calls trace_begin and trace_end.
 //
-// In:  dist_view, normal_view (a: cosine between the reflected direction and the geometric normal), material (b: 1 where
-//      rays are traced).
+// In:  dist_view, normal_view (a: cosine between the reflected direction and the geometric normal); the depth test, which
+//      leaves the texels that rays are traced from (without_ray.frag).
 // Out: hit_texel (x, y; -1 none), hit_point (p_px, t_m; -1 none), ray_work (class, lookups, steps).
 #ifndef TRACE_ENTRY_GLSL
 #define TRACE_ENTRY_GLSL
@@ -39,7 +39,6 @@ layout(std140, binding = 0) uniform TraceBlock {
 
 layout(binding = 1) uniform sampler2D dist_view;
 layout(binding = 2) uniform sampler2D normal_view;
-layout(binding = 3) uniform sampler2D material;
 
 layout(location = 0) out ivec2 hit_texel;
 layout(location = 1) out vec4 hit_point;
@@ -65,11 +64,6 @@ bool trace_begin(out Ray ray, out RayHit hit) {
   ivec2 texel = ivec2(gl_FragCoord.xy) * ray_stride_texels;
   vec2 own_uv = (vec2(texel) + 0.5) * dist_view_texel_uv;
   float own_dist_view = textureLod(dist_view, own_uv, 0.0).x;
-  bool is_background = isinf(own_dist_view);
-  if (is_background || textureLod(material, own_uv, 0.0).b == 0.0) {
-    hit = ray_without_hit(is_background ? RAY_BACKGROUND : RAY_MASKED, 0, 0);
-    return false;
-  }
   vec4 normal_and_clearance = textureLod(normal_view, own_uv, 0.0);
   vec3 normal = ordered_normalize(normal_and_clearance.xyz);
   ray = ray_reflected(vec2(texel) + 0.5, own_dist_view, normal, trace_projection(), trace_parameters());
