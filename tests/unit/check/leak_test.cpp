@@ -97,6 +97,23 @@ TEST(Leak, SeveralCornersInARowAreOneLeak) {
   EXPECT_FALSE(ray.isLeak(hitAt(5, 7)));  // a corner too: the walk cannot have found it
 }
 
+TEST(Leak, WithoutACornerOnTheWayNothingIsExcused) {
+  SidewaysRay ray(kRise);
+  EXPECT_FALSE(ray.isLeak(without(RayClass::kOffscreen)));
+  ray.put(3, 7);
+  EXPECT_FALSE(ray.isLeak(hitAt(3, 7)));
+  EXPECT_FALSE(ray.isLeak(hitAt(4, 7)));  // beside what both see: near, and no leak
+}
+
+TEST(Leak, EachQuestionIsAskedOfTheWholePicture) {
+  SidewaysRay ray(kRise);
+  ray.put(2, 7);
+  LeakClassifier leaks(ray.input);
+  for (int question = 0; question < 3; ++question) {
+    EXPECT_TRUE(leaks.isLeak(without(RayClass::kOffscreen), kOwnX, kOwnY)) << question;
+  }
+}
+
 TEST(Leak, TheVerdictSaysSoAndLeavesTheDepthAsItWas) {
   SidewaysRay ray(kRise);
   ray.put(2, 7);

@@ -75,6 +75,27 @@ TEST_P(AccumulateTest, AStillPictureIsAFixedPoint) {
   EXPECT_EQ(got[1].at(100, 20), 0.0F);
 }
 
+// The floor's texels lie on one plane to within rounding, so the narrowest tolerance keeps them all.
+TEST_P(AccumulateTest, APlaneKeepsItsHistoryUnderTheNarrowestTolerance) {
+  giveRoom({});
+  values_.set("disocclusion_rel", 1e-5);
+  const auto constant = [](double value) {
+    return imageOf(kSize, [=](int, int) { return std::array{value, value, value, 1.0}; });
+  };
+  give("reflection", constant(0.5));
+  give("previous_accumulated", constant(0.5));
+  give("previous_history_length",
+       imageOf(
+           kSize, [](int, int) { return std::array<double, 4>{4.0}; }, 1),
+       Format::kR32f);
+  const Image length = drawAll("accumulate.frag", kSize, {Format::kRgba32f, Format::kR32f})[1];
+  for (int y = kFloorRow; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      ASSERT_EQ(length.at(x, y), 5.0F) << x << " " << y;
+    }
+  }
+}
+
 TEST_P(AccumulateTest, AGhostIsClampedToTheNeighbours) {
   const Check check = [&](const std::string& shader) {
     giveRoom({});

@@ -22,7 +22,7 @@ double smoothRise(double x) {
 struct Ray {
   std::array<double, 3> point{100.5, 2.5, 1.0};  // hit position in pixels, t_m
   std::array<int, 2> texel{100, 2};
-  int lookups = 10;
+  int lookups = 0;
   double towards_camera = -1.0;  // dir_view.z
 };
 
@@ -109,7 +109,7 @@ class ConfidenceTest : public PassTest {
 
 TEST_P(ConfidenceTest, NoFactorLeavesEveryHitAt1AndEveryMissAt0) {
   const auto every_third_misses = [](int x) {
-    return x % 3 == 0 ? Ray{.point = {-1, -1, -1}, .texel = {-1, -1}} : Ray{};
+    return x % 3 == 0 ? Ray{.point = {-1, -1, -1}, .texel = {-1, -1}} : Ray{.lookups = 10};
   };
   const auto hits = [](int x) { return x % 3 == 0 ? 0.0 : 1.0; };
   EXPECT_EQ(follows("confidence.frag", {}, every_third_misses, hits, 0.0), "");

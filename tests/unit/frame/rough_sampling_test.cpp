@@ -209,6 +209,35 @@ TEST_P(RoughSamplingTest, AWhiteFurnaceGivesTheDirectionalAlbedo) {
   holdsAndKills(check, "accumulate_microfacet.frag", {"masking_left_out", "all_normals_weighed"});
 }
 
+// Without Fresnel the weights of all rays are, in the mean, what a white surface reflects.
+TEST_P(RoughSamplingTest, WeightsWithoutFresnelGiveTheWhiteAlbedo) {
+  const auto check = [&](const std::string& shader) -> std::string {
+    for (const GgxView& view : views()) {
+      begin();
+      giveSurface(view, 1.0);
+      give("microfacet_normal", sampled("sample_microfacet.frag", 0));
+      give("lit", constant({0.5, 0.5, 0.5, 1.0}));
+      give("reflected_sum", constant({0.0, 0.0, 0.0, 0.0}));
+      give("weight_sum", constant({0.0, 0.0, 0.0, 0.0}, 1));
+      giveIntegers("hit_texel", constant({0.0, 0.0, 0.0, 0.0}, 2), Format::kRg16i);
+      const std::vector<Image> sums = drawAll(shader, kSize, {Format::kRgba32f, Format::kR32f});
+      double colour = 0.0;
+      double weight = 0.0;
+      for (std::size_t texel = 0; texel < sums[1].texelCount(); ++texel) {
+        colour += sums[0].data[4 * texel] / static_cast<double>(sums[1].texelCount());
+        weight += sums[1].data[texel] / static_cast<double>(sums[1].texelCount());
+      }
+      const double albedo = directionalAlbedo(view, 1.0);
+      if (!(std::abs(weight / albedo - 1.0) <= 0.01 && std::abs(colour / (0.5 * albedo) - 1.0) <= 0.01)) {
+        return fmt::format("{}: weights of {:.5f} and light of {:.5f} in the mean where the albedo is {:.5f}",
+                           nameOf(view), weight, colour, albedo);
+      }
+    }
+    return "";
+  };
+  EXPECT_EQ(check("accumulate_arriving.frag"), "");
+}
+
 // Of 16 samples 4 hit something of (0.5, 1, 2), or weights of 8 in all hit with 4 of them.
 TEST_P(RoughSamplingTest, AnAverageOfHitsIsTheirColourAndTheirShare) {
   const Size size{2, 2};

@@ -80,6 +80,35 @@ TEST_P(TracersTest, HomogeneousStepsAreExactlyNPixelsLong) {
                  "homogeneous_offscreen_refined"});
 }
 
+// Every ray meets the wall between two samples, and with dither by a whole step the part of the step that it is behind
+// the wall is anything from nothing to all, of neighbours too: mean 1/2, variance 1/12.
+TEST_P(TracersTest, DitherMovesTheSamplesOfNeighboursApart) {
+  constexpr int kStridePx = 16;
+  const RayRecord record =
+      trace(floorAndWall(kFloorSize, 8.0), "homogeneous", {.bisection_count = 0, .stride_px = kStridePx, .jitter = 1.0}, "");
+  int rows = 0;
+  for (int y = 0; y < kFloorSize.height; ++y) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int x = 0; x < kFloorSize.width; ++x) {
+      const RayHit& ray = record.at(x, y);
+      if (ray.ray_class != RayClass::kHit) {
+        break;
+      }
+      // Row y mirrors at the wall's foot, px_y 160, into 320 - (y + 0.5); what lies behind it is higher up.
+      const double behind = (319.5 - y - static_cast<double>(ray.px_y)) / kStridePx;
+      sum += behind / kFloorSize.width;
+      squares += behind * behind / kFloorSize.width;
+      rows += x + 1 == kFloorSize.width ? 1 : 0;
+    }
+    if (rows > 0 && sum > 0.0) {
+      EXPECT_NEAR(sum, 0.5, 0.1) << y;
+      EXPECT_NEAR(squares - sum * sum, 1.0 / 12.0, 0.03) << y;
+    }
+  }
+  EXPECT_GT(rows, 60);
+}
+
 // M1 without its wall: a ray is M = 2 (row + 0.5) - height pixels from its vanishing point. Its samples end
 // half a pixel before it, at M^2 / (M + 0.5), so ceil of that over N are looked at, and none beyond.
 TEST_P(TracersTest, HomogeneousStepsEndBeforeTheVanishingPoint) {
