@@ -13,6 +13,7 @@
 #include "command/parameters_file.h"
 #include "command/run_rows.h"
 #include "frame/frame_images.h"
+#include "frame/frame_read_back.h"
 #include "image/colour_map.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -26,8 +27,9 @@ namespace {
 
 using Write = std::function<Expected<void>()>;
 
-// Runs the writes on all cores; the first error is the answer, and no further write is started after it.
-Expected<void> writeAll(const std::vector<Write>& writes) {
+// Runs the writes on so many threads; the first error is the answer, and no further write is started after
+// it.
+Expected<void> writeAll(const std::vector<Write>& writes, unsigned thread_count) {
   std::size_t next = 0;
   std::optional<Error> failure;
   std::mutex mutex;
@@ -47,7 +49,7 @@ Expected<void> writeAll(const std::vector<Write>& writes) {
   };
   {
     std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+    for (unsigned i = 0; i < thread_count; ++i) {
       threads.emplace_back(work);
     }
   }
@@ -179,11 +181,13 @@ Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneR
   std::vector<Write> writes;
   const std::filesystem::path scene_folder = folder / run.source->name;
   bool has_shared_files = false;
+  bool is_large = false;
   for (const CellRun& cell : run.cells) {
     if (!cell.result || cell.error) {
       continue;
     }
     addCellWrites(scene_folder, cell, run, rows, writes);
+    is_large = is_large || isLargeFrame(cell.size);
     if (!has_shared_files) {
       has_shared_files = true;
       writes.push_back([&cell, scene_folder] {
@@ -196,7 +200,8 @@ Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneR
       }
     }
   }
-  return writeAll(writes);
+  // What is written of a large frame takes as much memory again, file by file.
+  return writeAll(writes, is_large ? 1U : std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace ssrkit

@@ -102,6 +102,9 @@ std::string encodeExr(const Image& image, const std::map<std::string, std::strin
   for (const auto& [key, value] : metadata) {
     header.insert("ssrkit:" + key, Imf::StringAttribute(value));
   }
+  // Never more than a little over the texels themselves: grown bit by bit, the bytes would be there two and
+  // three times. What is not written takes no memory.
+  bytes.reserve(image.data.size() * sizeof(float));
   OutputBytes memory(bytes);
   {
     Imf::OutputFile file(memory, header, kNoThreads);
