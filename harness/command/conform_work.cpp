@@ -95,6 +95,7 @@ Expected<void> divideWork(ConformRun& run) {
 Expected<void> workThrough(ConformRun& run, const MakeSuite& make_suite, int lanes) {
   std::atomic<std::size_t> next = 0;
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(lanes));
   for (int i = 0; i < lanes; ++i) {
     threads.emplace_back(
         [&] { work(run, next, ConformLane(*run.plan, run.store, make_suite, run.options->repeat)); });
