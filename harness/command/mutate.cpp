@@ -16,6 +16,7 @@
 #include "command/empty_folder.h"
 #include "command/kit_paths.h"
 #include "command/mutant_runner.h"
+#include "command/mutation_plan.h"
 #include "command/progress_line.h"
 #include "mutation/read_mutants.h"
 #include "mutation/text_edit.h"

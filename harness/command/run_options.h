@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "base/error.h"
+#include "command/run.h"
+
+namespace ssrkit {
+
+// Adds the command `run`; `command` becomes what is to be run once its options have been read. All must
+// outlive the parsing.
+void addRun(CLI::App& app, RunOptions& options, std::function<Expected<int>()>& command);
+
+}  // namespace ssrkit
