@@ -46,7 +46,10 @@ class Figures(bench_runs.BenchTest):
             if series["pass"] == "trace":
                 self.assertGreater(series["rays"], 0)
                 self.assertGreater(series["lookups"], series["rays"] / 2)
-                self.assertGreater(series["roofline_multiple"]["median"], 0)
+                # Rooflines are passes of a device; the native peers have none.
+                self.assertEqual(series["device"] in kit.DEVICES, series["roofline_multiple"] is not None)
+                if series["roofline_multiple"]:
+                    self.assertGreater(series["roofline_multiple"]["median"], 0)
 
     def test_the_cpus_own_vectors_trace_the_same_rays_beside_the_devices(self):
         result = self.bench("--stage", "hiz", "--device", "vk-lavapipe")
