@@ -69,8 +69,8 @@ bool isAskedOf(const TestFile& test, const Expectation& expectation, const Answe
   const bool size_fits = expectation.sizes.empty() ||
                          std::ranges::find(expectation.sizes, answer.size) != expectation.sizes.end();
   const bool device_fits = !expectation.devices || isAmong(*expectation.devices, answer.device);
-  return !answer.is_made && stage_fits && case_fits && size_fits && device_fits && answer.input == test.input &&
-         !isTruthItself(expectation.truth, answer);
+  return !answer.is_made && stage_fits && case_fits && size_fits && device_fits &&
+         answer.input == test.input && !isTruthItself(expectation.truth, answer);
 }
 
 std::vector<CheckResult> judge(const TestFile& test, const std::string& scene,

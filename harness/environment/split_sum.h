@@ -15,8 +15,9 @@ inline constexpr int kSplitSumSide = 64;
 // 1], by numeric integration with 256 points.
 [[nodiscard]] glm::vec2 splitSum(float cos_view, float roughness);
 
-// kSplitSumSide^2 entries: rows of roughness and columns of the square root of the cosine, each from 0 to 1 at the
-// middles of the first and the last texel. The root gives the steep edge at grazing angles more columns.
+// kSplitSumSide^2 entries: rows of roughness and columns of the square root of the cosine, each from 0 to 1
+// at the middles of the first and the last texel. The root gives the steep edge at grazing angles more
+// columns.
 [[nodiscard]] std::vector<glm::vec2> splitSumTable();
 
 }  // namespace ssrkit

@@ -108,7 +108,7 @@ struct RunReport {
   std::vector<RunRow> rows;
   std::vector<FrameRow> frames;
   std::vector<GeometryRow> geometries;
-  Ledger ledger;  // empty where fewer than two devices answered, or nobody asked
+  Ledger ledger;               // empty where fewer than two devices answered, or nobody asked
   std::vector<CellRow> cells;  // of `conform`
 };
 

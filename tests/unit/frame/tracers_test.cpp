@@ -80,12 +80,27 @@ TEST_P(TracersTest, HomogeneousStepsAreExactlyNPixelsLong) {
                  "homogeneous_offscreen_refined"});
 }
 
-// Every ray meets the wall between two samples, and with dither by a whole step the part of the step that it is behind
-// the wall is anything from nothing to all, of neighbours too: mean 1/2, variance 1/12.
+// A level floor mirrors; above it is nothing, or a wall that does not mirror.
+TEST_P(TracersTest, PixelsWithoutARaySayWhy) {
+  for (const bool has_wall : {false, true}) {
+    const double wall_m = has_wall ? 8.0 : std::numeric_limits<double>::infinity();
+    const RayRecord record = trace(floorAndWall(kFloorSize, wall_m), "walk", {}, "");
+    for (int x = 0; x < kFloorSize.width; ++x) {
+      const RayHit& above = record.at(x, kFloorSize.height / 4);
+      EXPECT_EQ(above.ray_class, has_wall ? RayClass::kMasked : RayClass::kBackground) << x;
+      EXPECT_EQ(above.lookups, 0U) << x;
+      EXPECT_EQ(above.texel_x, -1) << x;
+      EXPECT_GT(record.at(x, kFloorSize.height - 1).lookups, 0U) << x;
+    }
+  }
+}
+
+// Every ray meets the wall between two samples, and with dither by a whole step the part of the step that it
+// is behind the wall is anything from nothing to all, of neighbours too: mean 1/2, variance 1/12.
 TEST_P(TracersTest, DitherMovesTheSamplesOfNeighboursApart) {
   constexpr int kStridePx = 16;
-  const RayRecord record =
-      trace(floorAndWall(kFloorSize, 8.0), "homogeneous", {.bisection_count = 0, .stride_px = kStridePx, .jitter = 1.0}, "");
+  const RayRecord record = trace(floorAndWall(kFloorSize, 8.0), "homogeneous",
+                                 {.bisection_count = 0, .stride_px = kStridePx, .jitter = 1.0}, "");
   int rows = 0;
   for (int y = 0; y < kFloorSize.height; ++y) {
     double sum = 0.0;

@@ -49,7 +49,8 @@ int addAccessor(nlohmann::json& root, const std::vector<std::uint8_t>& bytes, in
 // Gives the first primitive vertices of its own: as many positions as there are, and no indices.
 void setPositions(nlohmann::json& root, const std::vector<float>& positions);
 
-// Animates a property of a node in an animation of its own, as floats; `path` is "translation", "rotation", ...
+// Animates a property of a node in an animation of its own, as floats; `path` is "translation", "rotation",
+// ...
 void animate(nlohmann::json& root, int node, const std::string& path, const std::string& interpolation,
              const std::vector<float>& times, const std::vector<float>& values);
 
