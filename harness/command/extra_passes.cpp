@@ -2,23 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <cstring>
 
+#include "check/ray_bits.h"
 #include "shader/module_variants.h"
 
 namespace ssrkit {
 
 namespace {
-
-bool sameBits(const RayHit& a, const RayHit& b) {
-  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
-  return a.texel_x == b.texel_x && a.texel_y == b.texel_y && bits(a.px_x) == bits(b.px_x) &&
-         bits(a.px_y) == bits(b.px_y) && bits(a.t_m) == bits(b.t_m) && a.ray_class == b.ray_class &&
-         a.lookups == b.lookups && a.steps == b.steps;
-}
 
 // What differs between two drawings of one job.
 struct Difference {
@@ -53,15 +44,19 @@ void compareImages(Difference& difference, const std::map<std::string, Image>& a
 Difference differenceOf(const JobResult& a, const JobResult& b) {
   Difference difference;
   compareImages(difference, a.images, b.images, "");
-  for (std::size_t i = 0; i < std::min(a.traces.size(), b.traces.size()); ++i) {
+  // What the second drawing lacks is different.
+  for (std::size_t i = 0; i < a.traces.size(); ++i) {
+    const TraceResult none;
     const TraceResult& trace = a.traces[i];
-    const std::vector<RayHit>& others = b.traces[i].record.rays;
+    const TraceResult& other = i < b.traces.size() ? b.traces[i] : none;
     std::size_t differing = 0;
-    for (std::size_t ray = 0; ray < std::min(trace.record.rays.size(), others.size()); ++ray) {
-      differing += sameBits(trace.record.rays[ray], others[ray]) ? 0 : 1;
+    for (std::size_t ray = 0; ray < trace.record.rays.size(); ++ray) {
+      const bool is_there = ray < other.record.rays.size();
+      const bool same = is_there && differingFields(trace.record.rays[ray], other.record.rays[ray]).empty();
+      differing += same ? 0 : 1;
     }
     add(difference, differing, trace.record.rays.size(), "the rays of " + trace.stage);
-    compareImages(difference, trace.images, b.traces[i].images, " of " + trace.stage);
+    compareImages(difference, trace.images, other.images, " of " + trace.stage);
   }
   return difference;
 }
@@ -72,6 +67,15 @@ CheckResult resultOf(const CellRun& cell, Outcome outcome, std::string message) 
   result.size = cell.size;
   result.outcome = outcome;
   result.message = std::move(message);
+  return result;
+}
+
+// A pass that says how much differs; what a difference means is the caller's to say.
+CheckResult resultOf(const CellRun& cell, const Difference& difference) {
+  CheckResult result = resultOf(cell, Outcome::kPass, "");
+  result.compared = difference.compared;
+  result.value = static_cast<double>(difference.texels);
+  result.unit = "texels";
   return result;
 }
 
@@ -106,10 +110,7 @@ std::optional<CheckResult> outOfBoundsCheck(const CellRun& cell, const JobOutcom
     return noAnswer(cell, clamped);
   }
   const Difference difference = differenceOf(*cell.result, *result);
-  CheckResult check = resultOf(cell, Outcome::kPass, "");
-  check.compared = difference.compared;
-  check.value = static_cast<double>(difference.texels);
-  check.unit = "texels";
+  CheckResult check = resultOf(cell, difference);
   if (difference.texels > 0) {
     check.outcome = Outcome::kFail;
     check.message = fmt::format(
@@ -129,10 +130,7 @@ std::optional<CheckResult> loopCheck(const CellRun& cell, const JobOutcome& coun
     return noAnswer(cell, counted);
   }
   const Difference difference = differenceOf(*cell.result, *result);
-  CheckResult check = resultOf(cell, Outcome::kPass, "");
-  check.compared = difference.compared;
-  check.value = static_cast<double>(difference.texels);
-  check.unit = "texels";
+  CheckResult check = resultOf(cell, difference);
   if (difference.texels > 0) {
     check.outcome = Outcome::kLimiter;
     check.message = fmt::format(

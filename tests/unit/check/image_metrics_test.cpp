@@ -13,66 +13,56 @@ constexpr Size kSize{8, 8};
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
+// One image of two devices, of one value each until a test changes texels.
+struct TwoPictures : Bench {
+  TwoPictures(const std::string& buffer, float your_value, float true_value)
+      : yours(setImage(add("", shiftedRecord(kSize), "vk-lavapipe"), buffer, your_value)),
+        truth(setImage(add("", shiftedRecord(kSize), "gl-osmesa"), buffer, true_value)) {}
+  Image& yours;
+  Image& truth;
+};
+
 TEST(Identical, ImagesAreComparedBitByBit) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "lit", 1.0F);
-  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "lit", 1.0F);
+  TwoPictures bench("lit", 1.0F, 1.0F);
   const Expectation same =
       expectation("metric = \"identical\"\nbuffer = \"lit\"\ntruth = \"cross:gl-osmesa\"");
   EXPECT_EQ(outcomeName(bench.check(same)), "pass");
-  yours.at(3, 3) = std::nextafter(1.0F, 2.0F);
+  bench.yours.at(3, 3) = std::nextafter(1.0F, 2.0F);
   EXPECT_EQ(outcomeName(bench.check(same)), "fail");
   bench.answers[1].images.clear();
   EXPECT_EQ(outcomeName(bench.check(same)), "error");
 }
 
-TEST(CoverageFlips, BackgroundAgainstForegroundCounts) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
-  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 5.0F);
-  const Expectation none =
-      expectation("metric = \"coverage_flips\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
-  EXPECT_EQ(outcomeName(bench.check(none)), "pass");
-  yours.at(0, 0) = kInfinity;
-  EXPECT_EQ(outcomeName(bench.check(none)), "fail");
-}
-
 TEST(RelativeError, IsOfTheTruthAndNeverForgivesNaN) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
-  Image& truth = bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  TwoPictures bench("dist_view", 4.0F, 4.0F);
   const std::string keys = "buffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\n";
   const Expectation relative = expectation("metric = \"relative_error\"\n" + keys + "max = 0.125");
   const Expectation absolute = expectation("metric = \"absolute_error\"\n" + keys + "max = 0.5");
-  yours.at(1, 1) = 4.5F;
+  bench.yours.at(1, 1) = 4.5F;
   EXPECT_EQ(outcomeName(bench.check(relative)), "pass");
   EXPECT_EQ(outcomeName(bench.check(absolute)), "pass");
-  yours.at(1, 1) = 4.5001F;
+  bench.yours.at(1, 1) = 4.5001F;
   EXPECT_EQ(outcomeName(bench.check(relative)), "fail");
   EXPECT_EQ(outcomeName(bench.check(absolute)), "fail");
-  yours.at(1, 1) = kInfinity;
-  truth.at(1, 1) = kInfinity;
+  bench.yours.at(1, 1) = kInfinity;
+  bench.truth.at(1, 1) = kInfinity;
   EXPECT_EQ(outcomeName(bench.check(relative)), "pass");
-  yours.at(1, 1) = kNaN;
+  bench.yours.at(1, 1) = kNaN;
   EXPECT_EQ(outcomeName(bench.check(relative)), "fail");
 }
 
 TEST(RelativeError, ThePercentileIsOfAllPixels) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
-  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  TwoPictures bench("dist_view", 4.0F, 4.0F);
   const Expectation half = expectation(
       "metric = \"relative_error\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\npercentile = "
       "50.0\nmax = 0.0");
-  yours.at(1, 1) = 5.0F;
-  yours.at(2, 1) = 5.0F;
+  bench.yours.at(1, 1) = 5.0F;
+  bench.yours.at(2, 1) = 5.0F;
   EXPECT_EQ(outcomeName(bench.check(half)), "pass");  // 62 of 64 are right
 }
 
 TEST(RelativeError, IsAShareOfTheTruthNotOfTheAnswer) {
-  Bench bench;
-  bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 8.0F);
-  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  TwoPictures bench("dist_view", 8.0F, 4.0F);
   const Expectation one = expectation(
       "metric = \"relative_error\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"\nmax = 0.99");
   EXPECT_EQ(outcomeName(bench.check(one)), "fail");  // 8 is twice 4
@@ -91,26 +81,23 @@ TEST(RelativeError, TheWorstChannelCounts) {
 }
 
 TEST(CoverageFlips, BothWaysCount) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 4.0F);
-  Image& truth = bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 4.0F);
+  TwoPictures bench("dist_view", 4.0F, 5.0F);
   const Expectation none =
       expectation("metric = \"coverage_flips\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
-  yours.at(1, 1) = kInfinity;
+  EXPECT_EQ(outcomeName(bench.check(none)), "pass");
+  bench.yours.at(1, 1) = kInfinity;
   EXPECT_EQ(outcomeName(bench.check(none)), "fail");
-  yours.at(1, 1) = 4.0F;
-  truth.at(2, 2) = kInfinity;
+  bench.yours.at(1, 1) = 4.0F;
+  bench.truth.at(2, 2) = kInfinity;
   EXPECT_EQ(outcomeName(bench.check(none)), "fail");
 }
 
 TEST(Identical, AZeroOfTheOtherSignIsAnotherZero) {
-  Bench bench;
-  Image& yours = bench.setImage(bench.add("", shiftedRecord(kSize), "vk-lavapipe"), "dist_view", 0.0F);
-  bench.setImage(bench.add("", shiftedRecord(kSize), "gl-osmesa"), "dist_view", 0.0F);
+  TwoPictures bench("dist_view", 0.0F, 0.0F);
   const Expectation identical =
       expectation("metric = \"identical\"\nbuffer = \"dist_view\"\ntruth = \"cross:gl-osmesa\"");
   EXPECT_EQ(outcomeName(bench.check(identical)), "pass");
-  yours.at(1, 1) = -0.0F;
+  bench.yours.at(1, 1) = -0.0F;
   EXPECT_EQ(outcomeName(bench.check(identical)), "fail");
 }
 

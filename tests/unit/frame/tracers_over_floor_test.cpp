@@ -1,0 +1,92 @@
+// The tracers over a level mirror floor, with a wall or without, whose answers have closed forms.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "made_gbuffers.h"
+#include "tracer_fixture.h"
+
+namespace ssrkit {
+namespace {
+
+const Size kFloorSize{64, 256};
+
+class TracersOverFloorTest : public TracerFixture {};
+
+// A level floor mirrors; above it is nothing, or a wall that does not mirror.
+TEST_P(TracersOverFloorTest, PixelsWithoutARaySayWhy) {
+  for (const bool has_wall : {false, true}) {
+    const double wall_m = has_wall ? 8.0 : std::numeric_limits<double>::infinity();
+    const RayRecord record = trace(floorAndWall(kFloorSize, wall_m), "walk", {}, "");
+    for (int x = 0; x < kFloorSize.width; ++x) {
+      const RayHit& above = record.at(x, kFloorSize.height / 4);
+      EXPECT_EQ(above.ray_class, has_wall ? RayClass::kMasked : RayClass::kBackground) << x;
+      EXPECT_EQ(above.lookups, 0U) << x;
+      EXPECT_EQ(above.texel_x, -1) << x;
+      EXPECT_GT(record.at(x, kFloorSize.height - 1).lookups, 0U) << x;
+    }
+  }
+}
+
+// Every ray meets the wall between two samples, and with dither by a whole step the part of the step that it
+// is behind the wall is anything from nothing to all, of neighbours too: mean 1/2, variance 1/12.
+TEST_P(TracersOverFloorTest, DitherMovesTheSamplesOfNeighboursApart) {
+  constexpr int kStridePx = 16;
+  const RayRecord record = trace(floorAndWall(kFloorSize, 8.0), "homogeneous",
+                                 {.bisection_count = 0, .stride_px = kStridePx, .jitter = 1.0}, "");
+  int rows = 0;
+  for (int y = 0; y < kFloorSize.height; ++y) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int x = 0; x < kFloorSize.width; ++x) {
+      const RayHit& ray = record.at(x, y);
+      if (ray.ray_class != RayClass::kHit) {
+        break;
+      }
+      // Row y mirrors at the wall's foot, px_y 160, into 320 - (y + 0.5); what lies behind it is higher up.
+      const double behind = (319.5 - y - static_cast<double>(ray.px_y)) / kStridePx;
+      sum += behind / kFloorSize.width;
+      squares += behind * behind / kFloorSize.width;
+      rows += x + 1 == kFloorSize.width ? 1 : 0;
+    }
+    if (rows > 0 && sum > 0.0) {
+      EXPECT_NEAR(sum, 0.5, 0.1) << y;
+      EXPECT_NEAR(squares - sum * sum, 1.0 / 12.0, 0.03) << y;
+    }
+  }
+  EXPECT_GT(rows, 60);
+}
+
+// M1 without its wall: a ray is M = 2 (row + 0.5) - height pixels from its vanishing point. Its samples end
+// half a pixel before it, at M^2 / (M + 0.5), so ceil of that over N are looked at, and none beyond.
+TEST_P(TracersOverFloorTest, HomogeneousStepsEndBeforeTheVanishingPoint) {
+  const auto check = [&](const std::string& shader) -> std::string {
+    const Job job = floorAndWall(kFloorSize, std::numeric_limits<double>::infinity());
+    for (const int stride : {1, 4, 10, 33}) {
+      const RayRecord record = trace(job, "homogeneous", {.stride_px = stride}, shader);
+      for (int y = kFloorSize.height / 2; y < kFloorSize.height; ++y) {
+        const double to_vanishing_px = 2.0 * (y + 0.5) - kFloorSize.height;
+        const double samples =
+            std::ceil(to_vanishing_px * to_vanishing_px / (to_vanishing_px + 0.5) / stride);
+        for (int x = 0; x < kFloorSize.width; ++x) {
+          const RayHit& ray = record.at(x, y);
+          if (ray.ray_class != RayClass::kRange || ray.steps != samples) {
+            return fmt::format("stride {} pixel {}, {}: {} after {} steps, not RANGE after {}", stride, x, y,
+                               name(ray.ray_class), ray.steps, samples);
+          }
+        }
+      }
+    }
+    return "";
+  };
+  holdsAndKills(check, "trace_homogeneous.frag", {"homogeneous_no_guard"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, TracersOverFloorTest, testing::Values("gl-osmesa", "vk-lavapipe"),
+                         deviceTestName);
+
+}  // namespace
+}  // namespace ssrkit
