@@ -17,7 +17,6 @@ namespace ssrkit {
 namespace {
 
 constexpr int kDefaultRounds = 15;
-constexpr int kParts = 3;
 
 Expected<void> checkAxes(const std::vector<std::string>& axes) {
   const std::vector<std::string> known = benchAxes();
@@ -203,7 +202,7 @@ Expected<int> benchCommand(const BenchOptions& options) {
   BenchReport report{.kit_version = SSRKIT_VERSION,
                      .started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)),
                      .command = options.command};
-  const auto suite = benchSuite(work, work.request.devices, kParts);
+  const auto suite = benchSuite(work, work.request.devices, kBenchParts);
   const auto machine = suite ? startDevices(**suite, report) : tl::make_unexpected(suite.error());
   if (!machine) {
     return tl::make_unexpected(machine.error());

@@ -10,13 +10,11 @@ namespace ssrkit {
 
 namespace {
 
-using Json = nlohmann::json;
-
-PassTime timeOf(const Json& json) {
+PassTime timeOf(const nlohmann::json& json) {
   return {.wall_ns = json.at("wall_ns").get<std::int64_t>(), .cpu_ns = json.at("cpu_ns").get<std::int64_t>()};
 }
 
-BenchSeries seriesOf(const Json& json) {
+BenchSeries seriesOf(const nlohmann::json& json) {
   BenchSeries series;
   series.scene = json.at("scene").get<std::string>();
   series.device = json.at("device").get<std::string>();
@@ -24,7 +22,7 @@ BenchSeries seriesOf(const Json& json) {
   series.case_name = json.at("case").get<std::string>();
   series.size = {json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
   series.pass = json.at("pass").get<std::string>();
-  for (const Json& time : json.at("steady")) {
+  for (const nlohmann::json& time : json.at("steady")) {
     series.steady.push_back(timeOf(time));
   }
   return series;
@@ -52,11 +50,11 @@ Expected<BenchBaseline> readBaseline(const std::filesystem::path& file) {
     return tl::make_unexpected(content.error());
   }
   constexpr const char* kRemedy = "give the bench.json that an earlier ./ssrkit bench wrote";
-  const Json json = Json::parse(*content, nullptr, false);
-  if (!json.is_object() || json.value("schema", Json()) != "ssrkit-bench") {
+  const nlohmann::json json = nlohmann::json::parse(*content, nullptr, false);
+  if (!json.is_object() || json.value("schema", nlohmann::json()) != "ssrkit-bench") {
     return inputError(attempted, "it is no bench.json", file.string(), kRemedy);
   }
-  if (json.value("schema_version", Json()) != kBenchSchemaVersion) {
+  if (json.value("schema_version", nlohmann::json()) != kBenchSchemaVersion) {
     return inputError(attempted, fmt::format("its schema_version is not {}", kBenchSchemaVersion),
                       file.string(), "measure it again with this version");
   }
@@ -64,10 +62,10 @@ Expected<BenchBaseline> readBaseline(const std::filesystem::path& file) {
   try {
     baseline.machine = {json.at("machine").at("cpu").get<std::string>(),
                         json.at("machine").at("core_count").get<int>()};
-    for (const Json& series : json.at("series")) {
+    for (const nlohmann::json& series : json.at("series")) {
       baseline.series.push_back(seriesOf(series));
     }
-  } catch (const Json::exception& problem) {
+  } catch (const nlohmann::json::exception& problem) {
     return inputError(attempted,
                       fmt::format("a part of it is missing or of another kind ({})", problem.what()),
                       file.string(), kRemedy);

@@ -14,7 +14,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr int kParts = 5;  // devices and sizes take turns so often
+constexpr int kGateParts = 5;  // devices and sizes take turns so often
 constexpr int kMostNamedThreads = 2;
 
 // Gates may hold a device against itself with another number of threads, and against native peers.
@@ -72,7 +72,7 @@ Expected<std::vector<CheckResult>> measureGates(const BenchWork& work) {
   if (!files) {
     return tl::make_unexpected(files.error());
   }
-  const auto suite = benchSuite(work, devicesOf(*files, work.request.devices), kParts);
+  const auto suite = benchSuite(work, devicesOf(*files, work.request.devices), kGateParts);
   if (!suite) {
     return tl::make_unexpected(suite.error());
   }

@@ -13,8 +13,6 @@ namespace ssrkit {
 
 namespace {
 
-constexpr int kParts = 3;
-
 // How one axis varies a test, and where an answer stands on it.
 struct Axis {
   std::string name;
@@ -194,7 +192,8 @@ Expected<std::vector<BenchScaling>> measureScaling(const BenchWork& work, const 
   const Axis& axis = *std::ranges::find(axes(), axis_name, &Axis::name);
   TestFile test = work.request.test;
   axis.vary(test, work);
-  const auto suite = benchSuite(work, test.devices.empty() ? work.request.devices : test.devices, kParts);
+  const auto suite =
+      benchSuite(work, test.devices.empty() ? work.request.devices : test.devices, kBenchParts);
   const auto scenes = suite ? scenesOf(axis, work) : tl::make_unexpected(suite.error());
   if (!scenes) {
     return tl::make_unexpected(scenes.error());

@@ -15,6 +15,9 @@
 
 namespace ssrkit {
 
+// Devices, stages and sizes take turns so often in the rounds of passes and of scaling.
+inline constexpr int kBenchParts = 3;
+
 struct BenchWork {
   const BenchOptions& options;
   const KitPaths& paths;
