@@ -92,8 +92,9 @@ Expected<void> MutantRunner::runBattery(const MutantChecks& checks, const fs::pa
     suite_ = std::move(*suite);
   }
   std::vector<std::size_t> order(checks.battery.begin(), checks.battery.end());
-  std::ranges::stable_partition(
-      order, [&](std::size_t index) { return first.starts_with(plan_.battery[index].file.id + "."); });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t index) {
+    return first.starts_with(plan_.battery[index].file.id + ".");
+  });
   for (const std::size_t index : order) {
     note(runBatteryTest(*suite_, plan_.battery[index], shaders), result);
     if (isDone(result)) {
@@ -154,10 +155,8 @@ MutantRun MutantRunner::runKit(const std::vector<Mutant>& mutants) {
     const MutantChecks checks = checksFor(mutant, plan_);
     MutantChecks& all = isOfHarness(mutant) ? of_harness : of_shaders;
     all.battery.insert(checks.battery.begin(), checks.battery.end());
-    for (const TestsByRoom* tests_by_room : {&checks.unit, &checks.last_resort}) {
-      for (const auto& [room, tests] : *tests_by_room) {
-        all.unit[room].insert(tests.begin(), tests.end());
-      }
+    for (const auto& [room, tests] : checks.unit) {
+      all.unit[room].insert(tests.begin(), tests.end());
     }
   }
   auto done = runUnit(of_shaders.unit, of_shaders.instance, plan_.paths.shaders, {}, result);
@@ -168,6 +167,16 @@ MutantRun MutantRunner::runKit(const std::vector<Mutant>& mutants) {
   }
   result.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
+}
+
+void MutantRunner::holdKitAgainst(const std::set<std::string>& tests, MutantRun& kit) {
+  TestsByRoom tests_by_room;
+  for (const std::string& test : tests) {
+    tests_by_room[plan_.rooms.at(test)].insert(test);
+  }
+  if (const auto done = runUnit(tests_by_room, "", {}, {}, kit); !done && kit.problem.empty()) {
+    kit.problem = sentence(done.error());
+  }
 }
 
 }  // namespace ssrkit

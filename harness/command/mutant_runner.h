@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,12 @@ class MutantRunner {
 
   [[nodiscard]] MutantRun run(const Mutant& mutant);
 
-  // The kit itself under the checks of all these mutants, as a wheat: it must pass every one of them.
+  // The kit itself under the checks of all these mutants, as a wheat: it must pass every one of them. Not the
+  // last resort: there it is held against those tests alone that noticed something.
   [[nodiscard]] MutantRun runKit(const std::vector<Mutant>& mutants);
+
+  // The kit itself under unit tests too, on all of their instances.
+  void holdKitAgainst(const std::set<std::string>& tests, MutantRun& kit);
 
  private:
   Expected<void> hold(const Mutant& mutant, MutantRun& result);

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "base/atomic_file.h"
@@ -60,6 +61,19 @@ void printList(const std::vector<Mutant>& mutants) {
   }
 }
 
+// Tests that no mutant names, and that noticed one all the same.
+std::set<std::string> otherTestsThatNoticed(const std::vector<MutantRun>& runs, const MutationPlan& plan) {
+  std::set<std::string> tests;
+  for (const MutantRun& run : runs) {
+    for (const std::string& check : killersOf(run)) {
+      if (!plan.suite.contains(check)) {
+        tests.insert(check);
+      }
+    }
+  }
+  return tests;
+}
+
 // As many at a time as there are processors; the kit itself first, because its checks take longest.
 std::vector<MutantRun> runAll(const std::vector<Mutant>& mutants, const MutationPlan& plan,
                               const fs::path& scratch, const std::function<void(const MutantRun&)>& show) {
@@ -83,6 +97,9 @@ std::vector<MutantRun> runAll(const std::vector<Mutant>& mutants, const Mutation
   }
   for (std::thread& thread : threads) {
     thread.join();
+  }
+  if (const auto tests = otherTestsThatNoticed(runs, plan); !tests.empty()) {
+    MutantRunner(plan, scratch).holdKitAgainst(tests, runs.front());
   }
   return runs;
 }
