@@ -56,6 +56,13 @@ struct SpecConstant {
   std::uint32_t bits = 0;  // the 32-bit pattern of an int, uint, float or bool (0/1)
 };
 
+// What becomes of the depth (kD32f) that is stored where a program draws.
+enum class DepthTest {
+  kNone,    // there is none
+  kNearer,  // drawn where it is nearer than what is stored, and takes its place
+  kBehind,  // drawn where it is farther than what is stored, which stays
+};
+
 struct ProgramDesc {
   std::string name;
   std::span<const std::uint32_t> vertex_spirv;
@@ -68,7 +75,7 @@ struct ProgramDesc {
   std::vector<VertexAttribute> vertex_attributes;  // empty: one triangle from gl_VertexID/gl_VertexIndex
   std::uint32_t vertex_stride_bytes = 0;
   std::vector<Format> colour_formats;  // what it draws to, in the order of locations
-  bool has_depth = false;              // kD32f, test LESS, write on
+  DepthTest depth_test = DepthTest::kNone;
 };
 
 class DeviceProgram {

@@ -49,7 +49,7 @@ void checkAttachment(const Attachment& attachment, Format format, Size size) {
 
 void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
   SSRKIT_CHECK_EQ(pass.colour.size(), layout.colour_formats.size());
-  SSRKIT_CHECK_EQ(pass.depth.has_value(), layout.has_depth);
+  SSRKIT_CHECK_EQ(pass.depth.has_value(), layout.depth_test != DepthTest::kNone);
   SSRKIT_CHECK(!pass.colour.empty() || pass.depth);
   const Size size = attachmentSize(pass);
   for (std::size_t i = 0; i < pass.colour.size(); ++i) {
@@ -86,7 +86,7 @@ ProgramLayout layoutOf(const ProgramDesc& desc) {
           .vertex_stride_bytes = desc.vertex_stride_bytes,
           .has_vertices = !desc.vertex_attributes.empty(),
           .colour_formats = desc.colour_formats,
-          .has_depth = desc.has_depth};
+          .depth_test = desc.depth_test};
 }
 
 Expected<void> checkImageDesc(const ImageDesc& desc, int max_side) {

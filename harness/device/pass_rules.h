@@ -22,7 +22,7 @@ struct ProgramLayout {
   std::uint32_t vertex_stride_bytes = 0;
   bool has_vertices = false;
   std::vector<Format> colour_formats;
-  bool has_depth = false;
+  DepthTest depth_test = DepthTest::kNone;
 };
 [[nodiscard]] ProgramLayout layoutOf(const ProgramDesc& desc);
 

@@ -40,6 +40,9 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   const auto lights = lightConstants(scene != nullptr ? scene->scene : sceneOfGiven());
   for (FramePass& pass : passes) {
     pass.constants.insert(lights.begin(), lights.end());
+    if (pass.where_surfaces && scene != nullptr) {
+      pass.depth = "depth_window";
+    }
   }
   auto prepared = preparePasses(programs, settings, passes, progress);
   if (!prepared) {

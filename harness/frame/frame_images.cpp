@@ -57,10 +57,10 @@ const std::vector<FrameImageRow>& table() {
       // The frame's.
       {.name = "lit", .format = kRgba16f, .channels = rgb, .folder = "."},
       {.name = "lit_base", .format = kRgba16f, .channels = rgb, .folder = "."},
-      {.name = "shadow", .format = kR32f, .channels = {"V"}, .folder = "."},
-      {.name = "ao", .format = kR32f, .channels = {"V"}, .folder = "."},
-      {.name = "ao_noisy", .format = kRg32f},
-      {.name = "ao_blurred", .format = kRg32f},
+      {.name = "shadow", .format = kR32f, .channels = {"V"}, .folder = ".", .clear = {1, 0, 0, 0}},
+      {.name = "ao", .format = kR32f, .channels = {"V"}, .folder = ".", .clear = {1, 0, 0, 0}},
+      {.name = "ao_noisy", .format = kRg32f, .clear = {1, kBackground, 0, 0}},
+      {.name = "ao_blurred", .format = kRg32f, .clear = {1, kBackground, 0, 0}},
       // What a packed G-buffer would hold, and what tracers read of it.
       {.name = "normal_octahedral", .format = kRg16i},
       {.name = "normal_xy_sign", .format = kRgba16ui},

@@ -126,6 +126,13 @@ Expected<PassTime> drawMips(Device& device, const PreparedPass& pass, DeviceImag
   return sum;
 }
 
+DepthTest depthTestOf(const FramePass& pass) {
+  if (pass.depth.empty()) {
+    return DepthTest::kNone;
+  }
+  return pass.where_surfaces ? DepthTest::kBehind : DepthTest::kNearer;
+}
+
 }  // namespace
 
 PassRow passRow(const FramePass& pass) {
@@ -133,7 +140,7 @@ PassRow passRow(const FramePass& pass) {
               .vertex_shader = "full_screen.vert",
               .fragment_shader = pass.shader.empty() ? pass.name + ".frag" : pass.shader,
               .colour_formats = {},
-              .has_depth = !pass.depth.empty(),
+              .depth_test = depthTestOf(pass),
               .vertex_attributes = {},
               .vertex_stride_bytes = 0,
               .constants = pass.constants};

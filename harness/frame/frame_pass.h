@@ -29,8 +29,12 @@ struct FramePass {
   // Drawn only where rays start, after the trace, and over its depth (frame/trace_pass.h): elsewhere its
   // outputs keep their clear, or what they hold.
   bool where_rays_start = false;
+  // Drawn only where the rasteriser drew a surface: elsewhere its outputs keep their clear. Of a G-buffer
+  // made by others nothing was rasterised: it is drawn everywhere.
+  bool where_surfaces = false;
   // A row whose depth is tested and written, so that what a pass has covered later ones leave alone: the
-  // triangle is nearer than the clear, and nearer by each layer.
+  // triangle of layer 1 is nearer than the clear, and nearer by each layer. `where_surfaces`: tested only,
+  // from layer 0, the far end.
   std::string depth = {};
   int layer = 0;
   // Of its outputs and its depth: what is cleared to the rows' values before it is drawn.

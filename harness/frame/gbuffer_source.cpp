@@ -40,7 +40,7 @@ const PassRow& gbufferPass() {
                            .vertex_shader = "gbuffer.vert",
                            .fragment_shader = "gbuffer.frag",
                            .colour_formats = gbufferFormats(),
-                           .has_depth = true,
+                           .depth_test = DepthTest::kNearer,
                            .vertex_attributes = vertexAttributes(),
                            .vertex_stride_bytes = sizeof(Vertex)};
   return row;

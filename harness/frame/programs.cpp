@@ -85,9 +85,10 @@ Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
 Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
   const auto replacement = settings.replacements.find(pass.name);
   const bool is_replaced = replacement != settings.replacements.end();
-  const std::string key = fmt::format("{}|{}|{}|{}|{}{}", pass.name, settings.shader_root.string(),
-                                      is_replaced ? replacement->second.string() : "",
-                                      static_cast<int>(settings.form), pass.has_depth, keyOf(pass.constants));
+  const std::string key =
+      fmt::format("{}|{}|{}|{}|{}{}", pass.name, settings.shader_root.string(),
+                  is_replaced ? replacement->second.string() : "", static_cast<int>(settings.form),
+                  static_cast<int>(pass.depth_test), keyOf(pass.constants));
   const auto kept = kept_.find(key);
   if (kept != kept_.end() && !is_replaced) {
     return &kept->second;
@@ -146,7 +147,7 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
                    .vertex_attributes = pass.vertex_attributes,
                    .vertex_stride_bytes = pass.vertex_stride_bytes,
                    .colour_formats = pass.colour_formats,
-                   .has_depth = pass.has_depth};
+                   .depth_test = pass.depth_test};
   specialise(desc, pass, vertex->interface);
   specialise(desc, pass, fragment->interface);
   for (const SamplerBinding& sampler : program.samplers) {

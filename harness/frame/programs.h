@@ -26,7 +26,7 @@ struct PassRow {
   std::string vertex_shader;  // entry files under the shader root
   std::string fragment_shader;
   std::vector<Format> colour_formats;  // in the order of the fragment shader's output locations
-  bool has_depth = false;
+  DepthTest depth_test = DepthTest::kNone;
   std::vector<VertexAttribute> vertex_attributes;
   std::uint32_t vertex_stride_bytes = 0;
   // Values of specialisation constants, by name; those that no shader declares change nothing, and those that
@@ -81,7 +81,7 @@ struct FullScreenPass {
   std::optional<Attachment> depth = std::nullopt;
   Rect viewport;
   std::map<std::string, SampledImage> aliases;
-  int layer = 0;  // its depth: each layer is nearer than the one before, and all nearer than the far end
+  int layer = 0;  // its depth: layer 0 at the far end, each one nearer than the one before
 };
 [[nodiscard]] Expected<PassTime> drawFullScreen(Device& device, const Program& program,
                                                 const FullScreenPass& pass, const FrameImages& images,

@@ -57,7 +57,6 @@ const PassRow& pyramidBasePass() {
                            .vertex_shader = "full_screen.vert",
                            .fragment_shader = "pyramid_base.frag",
                            .colour_formats = {Format::kRg32f},
-                           .has_depth = false,
                            .vertex_attributes = {},
                            .vertex_stride_bytes = 0};
   return row;
@@ -68,7 +67,6 @@ const PassRow& pyramidReducePass() {
                            .vertex_shader = "full_screen.vert",
                            .fragment_shader = "pyramid_reduce.frag",
                            .colour_formats = {Format::kRg32f},
-                           .has_depth = false,
                            .vertex_attributes = {},
                            .vertex_stride_bytes = 0};
   return row;

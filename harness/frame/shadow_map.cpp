@@ -25,7 +25,7 @@ PassRow casterPass(const std::string& name) {
           .vertex_shader = "shadow_map.vert",
           .fragment_shader = name + ".frag",
           .colour_formats = {},
-          .has_depth = true,
+          .depth_test = DepthTest::kNearer,
           .vertex_attributes = vertexAttributes(),
           .vertex_stride_bytes = sizeof(Vertex)};
 }

@@ -11,12 +11,16 @@ FramePass tracePass(const std::string& shader) {
           .outputs = {"hit_texel", "hit_point", "ray_work"},
           .shader = shader,
           .depth = "ray_depth",
+          .layer = 1,
           .clears = {"hit_texel", "hit_point"}};
 }
 
 const FramePass& withoutRayPass() {
-  static const FramePass pass{
-      .name = "without_ray", .outputs = {"ray_work"}, .depth = "ray_depth", .clears = {"ray_depth"}};
+  static const FramePass pass{.name = "without_ray",
+                              .outputs = {"ray_work"},
+                              .depth = "ray_depth",
+                              .layer = 1,
+                              .clears = {"ray_depth"}};
   return pass;
 }
 
@@ -37,7 +41,7 @@ std::vector<FramePass> tracePasses(const std::string& shader, const Technique& t
 }
 
 void drawWhereRaysStart(Technique& technique) {
-  int layer = 0;
+  int layer = tracePass("").layer;
   for (FramePass& pass : technique.after_trace) {
     if (pass.where_rays_start) {
       pass.depth = "ray_depth" + recordSuffix(technique);

@@ -95,6 +95,16 @@ GlObject createUniforms(const std::shared_ptr<GlSession>& session, std::span<con
   return buffer;
 }
 
+void setDepthTest(const GladGLContext& gl, DepthTest test) {
+  if (test == DepthTest::kNone) {
+    gl.Disable(GL_DEPTH_TEST);
+    return;
+  }
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(test == DepthTest::kNearer ? GL_LESS : GL_GREATER);
+  gl.DepthMask(test == DepthTest::kNearer ? GL_TRUE : GL_FALSE);
+}
+
 void bindProgram(const GladGLContext& gl, const PassDesc& pass, const GlProgram& program) {
   const ProgramLayout& layout = program.layout();
   gl.UseProgram(program.program());
@@ -106,12 +116,7 @@ void bindProgram(const GladGLContext& gl, const PassDesc& pass, const GlProgram&
     gl.VertexArrayVertexBuffer(program.vertexArray(), 0, vertices->buffer(), 0,
                                static_cast<GLsizei>(layout.vertex_stride_bytes));
   }
-  if (layout.has_depth) {
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(GL_TRUE);
-  } else {
-    gl.Disable(GL_DEPTH_TEST);
-  }
+  setDepthTest(gl, layout.depth_test);
 }
 
 }  // namespace

@@ -110,7 +110,6 @@ void GlSession::setState() {
   gl_.Enable(GL_FRAMEBUFFER_SRGB);  // as Vulkan has it: the format alone decides
   gl_.Disable(GL_DITHER);
   gl_.Disable(GL_CULL_FACE);
-  gl_.DepthFunc(GL_LESS);
 }
 
 }  // namespace ssrkit

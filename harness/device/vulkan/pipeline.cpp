@@ -110,7 +110,7 @@ struct FixedState {
 
   static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
 
-  explicit FixedState(bool has_depth) {
+  explicit FixedState(DepthTest test) {
     assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
@@ -123,9 +123,9 @@ struct FixedState {
     multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
     multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
     depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-    depth.depthTestEnable = has_depth ? VK_TRUE : VK_FALSE;
-    depth.depthWriteEnable = depth.depthTestEnable;
-    depth.depthCompareOp = VK_COMPARE_OP_LESS;
+    depth.depthTestEnable = test == DepthTest::kNone ? VK_FALSE : VK_TRUE;
+    depth.depthWriteEnable = test == DepthTest::kNearer ? VK_TRUE : VK_FALSE;
+    depth.depthCompareOp = test == DepthTest::kBehind ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS;
     dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
     dynamic.dynamicStateCount = static_cast<std::uint32_t>(kDynamic.size());
     dynamic.pDynamicStates = kDynamic.data();
@@ -152,7 +152,8 @@ struct Targets {
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
     info.colorAttachmentCount = static_cast<std::uint32_t>(formats.size());
     info.pColorAttachmentFormats = formats.data();
-    info.depthAttachmentFormat = desc.has_depth ? vulkanFormat(Format::kD32f) : VK_FORMAT_UNDEFINED;
+    info.depthAttachmentFormat =
+        desc.depth_test == DepthTest::kNone ? VK_FORMAT_UNDEFINED : vulkanFormat(Format::kD32f);
   }
   Targets(const Targets&) = delete;
   Targets& operator=(const Targets&) = delete;
@@ -163,7 +164,7 @@ Expected<Handle<VkPipeline>> makeFromStages(const Gpu& gpu, const ProgramDesc& d
                                             const std::string& attempted) {
   const VertexInput vertices(desc);
   const VkPipelineVertexInputStateCreateInfo vertex_info = vertices.info();
-  const FixedState fixed(desc.has_depth);
+  const FixedState fixed(desc.depth_test);
   const Targets targets(desc);
   VkGraphicsPipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;

@@ -10,7 +10,7 @@
 
 namespace ssrkit::vulkan {
 
-// Triangles, nothing culled, no blending; depth LESS and written when the program has depth; viewport and
+// Triangles, nothing culled, no blending; depth as the program says; viewport and
 // scissor set at draw time. A module that makes the validation layer report an error is refused before the
 // driver sees it.
 [[nodiscard]] Expected<Handle<VkPipeline>> makePipeline(const Gpu& gpu, const ProgramDesc& desc,

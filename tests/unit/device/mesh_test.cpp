@@ -30,13 +30,14 @@ class MeshTest : public DeviceTest {
   }
 
   [[nodiscard]] std::unique_ptr<DeviceProgram> meshProgram(const std::string& vertex,
-                                                           const std::string& fragment) {
+                                                           const std::string& fragment,
+                                                           DepthTest test = DepthTest::kNearer) {
     ProgramSource source = compile(vertex, fragment);
     source.desc.vertex_attributes = {{0, VertexFormat::kFloat3, 0},
                                      {1, VertexFormat::kFloat1, sizeof(float) * 3}};
     source.desc.vertex_stride_bytes = sizeof(Vertex);
     source.desc.colour_formats = {Format::kR32f};
-    source.desc.has_depth = true;
+    source.desc.depth_test = test;
     return program(source.desc);
   }
 
@@ -91,6 +92,23 @@ TEST_P(MeshTest, DepthIsKeptBetweenPassesAndEqualDepthLoses) {
   EXPECT_EQ(read<float>(*colour_), std::vector<float>(4, 1.0F));
   drawMesh(cover(0.4375F, 3.0F, false), std::nullopt);
   EXPECT_EQ(read<float>(*colour_), std::vector<float>(4, 3.0F));
+}
+
+// The left half is drawn at 0.5; a plane of another program at 1, 0.75 and 0.25 follows over all.
+TEST_P(MeshTest, BehindIsDrawnOverWhatIsNearerAndLeavesItsDepth) {
+  auto behind = meshProgram("mesh.vert", "mesh.frag", DepthTest::kBehind);
+  const std::vector<Vertex> left{{{-1, -1, 0.5F}, 1}, {{0, -1, 0.5F}, 1}, {{-1, 3, 0.5F}, 1},
+                                 {{0, -1, 0.5F}, 1},  {{0, 3, 0.5F}, 1},  {{-1, 3, 0.5F}, 1}};
+  for (const auto& [depth, is_drawn] : {std::pair{1.0F, true}, {0.75F, true}, {0.25F, false}}) {
+    upload(*colour_, 0, std::vector<float>(4, 0.0F));
+    drawMesh(left, 1.0);
+    program_.swap(behind);
+    drawMesh(cover(depth, 7.0F, false), std::nullopt);
+    program_.swap(behind);
+    const float over_left = is_drawn ? 7.0F : 1.0F;
+    EXPECT_EQ(read<float>(*colour_), (std::vector<float>{over_left, 0, over_left, 0})) << "at " << depth;
+    EXPECT_EQ(read<float>(*depth_), (std::vector<float>{0.5F, 1, 0.5F, 1})) << "at " << depth;
+  }
 }
 
 TEST_P(MeshTest, NdcMinusOneIsTheFirstRow) {

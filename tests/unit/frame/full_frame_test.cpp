@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -44,6 +45,18 @@ Job furnace() {
 // They add to the lit image as published; docs/techniques.md has the gain of each.
 bool addsByDesign(const Technique& technique) {
   return technique.name == "additive" || technique.name == "metallic";
+}
+
+// An entry file, to be removed, that gives every texel one value.
+std::filesystem::path paintOf(const std::string& type, const std::string& value) {
+  std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("ssrkit-paint-" + std::to_string(getpid()) + ".frag");
+  const auto written = writeFileAtomically(file, fmt::format("#version 450\n"
+                                                             "layout(location = 0) out {} painted;\n"
+                                                             "void main() {{ painted = {}; }}\n",
+                                                             type, value));
+  EXPECT_TRUE(written.has_value());
+  return file;
 }
 
 class FullFrameTest : public PassTest {
@@ -114,16 +127,29 @@ TEST_P(FullFrameTest, AMissLeavesTheLitImageAsItIs) {
   }
 }
 
+// Passes that paint all that they are drawn to, over a scene: its surfaces, and the clear where there are
+// none.
+TEST_P(FullFrameTest, DrawsShadowAndObscuranceWhereSurfacesAreAndNowhereElse) {
+  const std::filesystem::path paint = paintOf("float", "2.0");
+  Job job;
+  job.id = "curved";
+  job.scene_file = std::filesystem::path(SSRKIT_SOURCE_DIR) / "scenes/curved/curved.gltf";
+  job.size = {97, 53};
+  job.frame = "full";
+  job.shader_root = kitShaders();
+  job.replacements = {{.pass = "shadow", .file = paint}, {.pass = "ao_blur_down", .file = paint}};
+  const JobResult result = run(job);
+  std::filesystem::remove(paint);
+  const Image& dist_view = result.images.at("dist_view");
+  const auto painted = [&](int x, int y) { return std::isinf(dist_view.at(x, y)) ? 1.0 : 2.0; };
+  EXPECT_EQ(followsFormula(result.images.at("shadow"), painted, 0.0), "");
+  EXPECT_EQ(followsFormula(result.images.at("ao"), painted, 0.0), "");
+}
+
 // A last pass that paints all that it is drawn to: nothing but the floor, which two passes before it covered
 // too.
 TEST_P(FullFrameTest, DrawsWhatFollowsTheTraceWhereRaysStartAndNowhereElse) {
-  const std::filesystem::path paint =
-      std::filesystem::temp_directory_path() / ("ssrkit-paint-" + std::to_string(getpid()) + ".frag");
-  ASSERT_TRUE(writeFileAtomically(paint,
-                                  "#version 450\n"
-                                  "layout(location = 0) out vec4 painted;\n"
-                                  "void main() { painted = vec4(2.0); }\n")
-                  .has_value());
+  const std::filesystem::path paint = paintOf("vec4", "vec4(2.0)");
   Job job = furnace();
   job.traces = {{.stage = "hiz", .parameters = {}, .technique = "replace"}};
   job.replacements = {{.pass = "resolve", .file = paint}, {.pass = "composite_replace", .file = paint}};

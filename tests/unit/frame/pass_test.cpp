@@ -113,7 +113,6 @@ std::vector<Image> PassTest::drawInto(const std::string& shader, const std::vect
                     .vertex_shader = "full_screen.vert",
                     .fragment_shader = shader,
                     .colour_formats = formats,
-                    .has_depth = false,
                     .vertex_attributes = {},
                     .vertex_stride_bytes = 0,
                     .constants = constants_};
