@@ -61,7 +61,7 @@ Expected<std::string> spirvHash(const CellRun& cell, const Answer& answer,
     }
   }
   std::ranges::sort(entries);
-  entries.erase(std::ranges::unique(entries).begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
   std::string all;
   for (const std::string& entry : entries) {
     std::error_code ignored;

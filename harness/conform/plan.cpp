@@ -56,6 +56,7 @@ bool matchesAny(const std::vector<std::string>& globs, const std::string& id) {
 // order.
 void shuffle(std::vector<Cell>& cells, std::uint64_t seed) {
   std::vector<std::pair<std::string, Cell>> keyed;
+  keyed.reserve(cells.size());
   for (Cell& cell : cells) {
     keyed.emplace_back(hashName(fmt::format("{} {}", seed, groupId(cell))), std::move(cell));
   }

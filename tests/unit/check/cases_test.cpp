@@ -33,7 +33,7 @@ Bench converging(const std::vector<double>& steps_m, const std::vector<double>& 
           hit.px_y = static_cast<float>(px.y);
           hit.t_m = static_cast<float>(t_m);
         };
-        const auto index = static_cast<std::size_t>(y * kSize.width + x);
+        const auto index = static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
         put(bench.oracles.back().record.rays[index], 1.0);
         put(bench.records.back().rays[index], 1.0 + errors_m[i]);
       }

@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace ssrkit {
 namespace {
 
 std::size_t litCount(const FindingMap& map) {
-  return map.dots.size() - static_cast<std::size_t>(std::ranges::count(map.dots, 0));
+  return map.dots.size() - static_cast<std::size_t>(std::count(map.dots.begin(), map.dots.end(), 0));
 }
 
 TEST(FindingMap, SmallImagesHaveADotATexel) {

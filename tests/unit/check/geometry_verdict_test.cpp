@@ -34,7 +34,9 @@ struct Wall : Bench {
     const auto verdicts = compareWithGeometry(records[0], geometries[0], inputs[0]);
     return name(verdicts[index(x, y)]);
   }
-  static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kSize.width + x); }
+  static std::size_t index(int x, int y) {
+    return static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
+  }
 };
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(Leak, TheVerdictSaysSoAndLeavesTheDepthAsItWas) {
   const Expected<OracleResult> oracle = traceOracle(ray.input, 1);
   ASSERT_TRUE(oracle.has_value());
   RayRecord record = oracle->record;
-  const auto own = static_cast<std::size_t>(kOwnY * ray.size.width + kOwnX);
+  const auto own = static_cast<std::size_t>(kOwnY) * static_cast<std::size_t>(ray.size.width) + kOwnX;
   record.rays[own] = without(RayClass::kOffscreen);
   EXPECT_EQ(compareWithOracle(record, *oracle, ray.input)[own], Verdict::kLeak);
   EXPECT_EQ(ray.depth.at(2, 7), 3.5F);

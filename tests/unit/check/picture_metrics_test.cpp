@@ -86,14 +86,15 @@ TEST(FlipMetric, IsTheMeanOverThePixelsWithARay) {
   Image flat(kSize, {"v"});
   std::ranges::fill(flat.data, 0.2F);
   const Image map = flipMap(flat, *yours);
+  const std::size_t half = map.data.size() / 2;
   double sum = 0.0;
   float worst = 0.0F;
-  for (std::size_t pixel = map.data.size() / 2; pixel < map.data.size(); ++pixel) {
+  for (std::size_t pixel = half; pixel < map.data.size(); ++pixel) {
     sum += map.data[pixel];
     worst = std::max(worst, map.data[pixel]);
   }
   const CheckResult mean = bench.check(expectation(kFlip + "max = 0.001"));
-  EXPECT_NEAR(mean.value.value_or(0.0), sum / static_cast<double>(map.data.size() / 2), 1e-9);
+  EXPECT_NEAR(mean.value.value_or(0.0), sum / static_cast<double>(half), 1e-9);
   EXPECT_EQ(outcomeName(mean), "fail");
   EXPECT_NEAR(bench.check(expectation(kFlip + "percentile = 100\nmax = 1")).value.value_or(0.0), worst, 1e-9);
 }

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<PowerLawPoint> pointsOf(double factor, double exponent, const std::vector<double>& xs) {
   std::vector<PowerLawPoint> points;
+  points.reserve(xs.size());
   for (const double x : xs) {
     points.push_back({x, factor * std::pow(x, exponent)});
   }

@@ -18,6 +18,7 @@ TestFile made(const std::string& id, const std::vector<std::string>& devices = {
 
 std::vector<std::string> idsOf(const std::vector<TestFile>& tests) {
   std::vector<std::string> ids;
+  ids.reserve(tests.size());
   for (const TestFile& test : tests) {
     ids.push_back(test.id);
   }

@@ -15,6 +15,7 @@ Cell cellOf(int number) {
 
 std::vector<Cell> cellsBefore(int count) {
   std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     cells.push_back(cellOf(i));
   }

@@ -51,6 +51,7 @@ TEST(OutcomeTable, SevenDevicesFitAHundredColumns) {
   for (const char* device :
        {"gl-osmesa", "vk-lavapipe", "gl-egl", "gl-zink", "gl-softpipe", "gl-glsl", "vk-swiftshader"}) {
     std::vector<CheckResult> checks;
+    checks.reserve(12345);
     for (int i = 0; i < 12345; ++i) {
       checks.push_back(madeCheck("trace.bits.a_name_that_is_far_longer_than_any", Outcome::kInconclusive));
     }

@@ -96,6 +96,7 @@ TEST(Plan, AShuffledPartKeepsTheOrderOfTheWhole) {
 
 TEST(Plan, ShardsAreDisjointAndTogetherTheWhole) {
   std::vector<TestFile> tests;
+  tests.reserve(40);
   for (int i = 0; i < 40; ++i) {
     tests.push_back(testFile("t" + std::to_string(i), {"all"}));
   }

@@ -36,8 +36,8 @@ TEST_P(DrawTest, NothingIsDrawnOutsideTheViewport) {
     expected.insert(expected.end(), {9.0F, 8.0F});  // the clear is of the whole image
   }
   for (std::size_t x = 1; x < 4; ++x) {
-    expected[2 * (2 * 4 + x)] = static_cast<float>(x) + 0.5F;
-    expected[2 * (2 * 4 + x) + 1] = 2.5F;
+    expected[2 * (8 + x)] = static_cast<float>(x) + 0.5F;
+    expected[2 * (8 + x) + 1] = 2.5F;
   }
   EXPECT_EQ(read<float>(*target), expected);
 }

@@ -38,6 +38,7 @@ std::vector<Vertex> upright(float x0, float x1, float z, float shade) {
   const std::array<std::array<float, 2>, 6> corners{
       {{x0, -1}, {x1, -1}, {x0, 1}, {x0, 1}, {x1, -1}, {x1, 1}}};
   std::vector<Vertex> vertices;
+  vertices.reserve(corners.size());
   for (const auto& [x, y] : corners) {
     vertices.push_back({{x, y, z}, shade});
   }
@@ -100,7 +101,7 @@ TEST_P(VulkanValidationTest, TheNearerSurfaceStaysAndItsDepthCanBeSampled) {
   ProgramSource source = compile("mesh.vert", "mesh.frag");
   describeMesh(source.desc);
   source.desc.colour_formats = {Format::kR32f};
-  source.desc.has_depth = true;
+  source.desc.depth_test = DepthTest::kNearer;
   const auto mesh = program(source.desc);
   std::vector<Vertex> vertices = upright(-1, 1, 0.75F, 5.0F);
   std::ranges::copy(upright(-1, 0, 0.25F, 6.0F), std::back_inserter(vertices));

@@ -47,7 +47,9 @@ Job randomBlocks(Size size) {
   }
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const glm::dvec4& block = blocks[static_cast<std::size_t>(y / kBlock * columns + x / kBlock)];
+      const glm::dvec4& block =
+          blocks[static_cast<std::size_t>(y / kBlock) * static_cast<std::size_t>(columns) +
+                 static_cast<std::size_t>(x / kBlock)];
       job.gbuffer.at("dist_view").at(x, y) = static_cast<float>(block.w);
       job.gbuffer.at("material").at(x, y, 2) = 1.0F;
       for (int axis = 0; axis < 3; ++axis) {

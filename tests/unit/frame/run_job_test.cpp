@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "../kit_shaders.h"
@@ -14,6 +13,7 @@
 #include "frame/frames.h"
 #include "frame/techniques.h"
 #include "frame_device.h"
+#include "hit_bits.h"
 
 namespace ssrkit {
 namespace {
@@ -114,7 +114,7 @@ TEST_P(RunJobTest, TheTunedFormGivesTheTextbooksBitsOverRandomDepths) {
       ASSERT_EQ(textbook.ray_class, tuned.ray_class) << ray;
       ASSERT_EQ(textbook.texel_x, tuned.texel_x) << ray;
       ASSERT_EQ(textbook.texel_y, tuned.texel_y) << ray;
-      ASSERT_EQ(std::memcmp(&textbook.px_x, &tuned.px_x, 3 * sizeof(float)), 0) << ray;
+      ASSERT_EQ(pointBits(textbook), pointBits(tuned)) << ray;
     }
   }
 }

@@ -15,6 +15,7 @@
 #include "frame/run_job.h"
 #include "frame/tiled_device.h"
 #include "frame_device.h"
+#include "hit_bits.h"
 #include "made_gbuffers.h"
 
 namespace ssrkit {
@@ -180,7 +181,7 @@ Differences differencesIn(const std::string& variant, Device& device, ShaderTarg
     const bool has_ray = b.ray_class != RayClass::kMasked && b.ray_class != RayClass::kBackground;
     differences.rays += has_ray ? 1 : 0;
     differences.answers += same ? 0 : 1;
-    differences.bits += same && std::memcmp(&a.px_x, &b.px_x, 3 * sizeof(float)) == 0 ? 0 : 1;
+    differences.bits += same && pointBits(a) == pointBits(b) ? 0 : 1;
   }
   return differences;
 }

@@ -86,7 +86,8 @@ struct HandMadeExr {
       std::string line;
       for (const HandMadeChannel& channel : channels) {
         for (std::int32_t x = 0; x < width; ++x) {
-          const std::uint32_t value = channel.bits.at(static_cast<std::size_t>(y * width + x));
+          const std::uint32_t value = channel.bits.at(
+              static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
           line.append(reinterpret_cast<const char*>(&value), channel.type == PixelType::kHalf ? 2 : 4);
         }
       }

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "device/registry.h"
@@ -61,7 +62,7 @@ Traced traced(const std::string& scene, Size size, const std::vector<TraceParame
 }
 
 bool sameBits(float a, float b) {
-  return std::memcmp(&a, &b, sizeof(a)) == 0;
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
 bool sameRay(const RayHit& a, const RayHit& b) {

@@ -76,7 +76,7 @@ TEST(BenchSeries, TheLimitIsLookupsAsFetchesAndPixelsAsWrites) {
   BenchReport made = report();
   EXPECT_FALSE(rooflineMultiple(made.series[1], made.series).has_value());
   // 32 fetches at each of 64 pixels in 2048 ns: one each. 640 lookups and a write of 360 ns are 1000 ns.
-  made.series.push_back(seriesOf("hiz", "bench_dependent_fetch", 64 * kRooflineFetchCount));
+  made.series.push_back(seriesOf("hiz", "bench_dependent_fetch", std::int64_t{64} * kRooflineFetchCount));
   made.series.push_back(seriesOf("hiz", "bench_write", 360));
   const auto multiple = rooflineMultiple(made.series[1], made.series);
   ASSERT_TRUE(multiple.has_value());

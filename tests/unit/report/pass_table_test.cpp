@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-PassReport timed(const std::string& pass, std::vector<std::int64_t> cpu_ms) {
+PassReport timed(const std::string& pass, const std::vector<std::int64_t>& cpu_ms) {
   PassReport report{.pass = pass, .cold = {.wall_ns = 0, .cpu_ns = 900 * kMs}, .steady = {}};
   for (const std::int64_t ms : cpu_ms) {
     report.steady.push_back({.wall_ns = 0, .cpu_ns = ms * kMs});

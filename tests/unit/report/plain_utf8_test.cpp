@@ -17,13 +17,13 @@ TEST(PlainUtf8, ControlCharactersAreReplaced) {
 
 TEST(PlainUtf8, BytesThatAreNoUtf8AreReplacedOneByOne) {
   EXPECT_EQ(plainUtf8("\xFF!"), "\uFFFD!");
-  EXPECT_EQ(plainUtf8("\x80"), "\uFFFD");                               // a byte that continues nothing
-  EXPECT_EQ(plainUtf8("\xC3"), "\uFFFD");                               // cut at the end
-  EXPECT_EQ(plainUtf8("\xC3(x"), "\uFFFD(x");                           // not continued
-  EXPECT_EQ(plainUtf8("\xC0\xAF"), "\uFFFD\uFFFD");                     // '/' in two bytes
-  EXPECT_EQ(plainUtf8("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");           // half of a surrogate pair
-  EXPECT_EQ(plainUtf8("\xEF\xBF\xBF"), "\uFFFD\uFFFD\uFFFD");           // U+FFFF, which XML forbids
-  EXPECT_EQ(plainUtf8("\xF4\x90\x80\x80").size(), std::size_t{4 * 3});  // beyond U+10FFFF
+  EXPECT_EQ(plainUtf8("\x80"), "\uFFFD");                            // a byte that continues nothing
+  EXPECT_EQ(plainUtf8("\xC3"), "\uFFFD");                            // cut at the end
+  EXPECT_EQ(plainUtf8("\xC3(x"), "\uFFFD(x");                        // not continued
+  EXPECT_EQ(plainUtf8("\xC0\xAF"), "\uFFFD\uFFFD");                  // '/' in two bytes
+  EXPECT_EQ(plainUtf8("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");        // half of a surrogate pair
+  EXPECT_EQ(plainUtf8("\xEF\xBF\xBF"), "\uFFFD\uFFFD\uFFFD");        // U+FFFF, which XML forbids
+  EXPECT_EQ(plainUtf8("\xF4\x90\x80\x80").size(), std::size_t{12});  // beyond U+10FFFF
 }
 
 }  // namespace

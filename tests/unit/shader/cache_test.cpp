@@ -138,6 +138,7 @@ TEST_F(Cache, ServesSeveralThreadsAtOnce) {
   const ShaderModule expected = compileCached({.use_cache = false});
   std::vector<std::thread> threads;
   std::vector<std::vector<std::uint32_t>> results(8);
+  threads.reserve(results.size());
   for (std::vector<std::uint32_t>& result : results) {
     threads.emplace_back([this, &result] { result = compileCached().spirv; });
   }
