@@ -42,8 +42,10 @@ Image randomDepths(Size size) {
   std::uniform_real_distribution<float> metres(0.5F, 50.0F);
   Image dist_view(size, {"Z"});
   for (float& dist : dist_view.data) {
-    const float drawn_m = metres(random);
-    dist = drawn_m > 40.0F ? kInfinity : drawn_m;
+    dist = metres(random);
+    if (dist > 40.0F) {
+      dist = kInfinity;
+    }
   }
   // The nearest of all stands in the last row and column, where pyramids for even sizes lose it.
   dist_view.at(size.width - 1, size.height - 1) = 0.25F;
