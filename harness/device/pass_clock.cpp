@@ -19,6 +19,14 @@ std::int64_t processCpuNs() {
   return clockNs(CLOCK_PROCESS_CPUTIME_ID);
 }
 
+PassTime& operator+=(PassTime& sum, const PassTime& time) {
+  sum.wall_ns += time.wall_ns;
+  sum.cpu_ns += time.cpu_ns;
+  sum.device_ns =
+      sum.device_ns && time.device_ns ? std::optional(*sum.device_ns + *time.device_ns) : std::nullopt;
+  return sum;
+}
+
 PassClock::PassClock() : wall_start_ns_(clockNs(CLOCK_MONOTONIC)), cpu_start_ns_(processCpuNs()) {}
 
 PassTime PassClock::elapsed() const {

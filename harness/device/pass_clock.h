@@ -11,6 +11,9 @@ namespace ssrkit {
 // Nanoseconds of CPU that all threads of this process have used (CLOCK_PROCESS_CPUTIME_ID).
 [[nodiscard]] std::int64_t processCpuNs();
 
+// What two passes took together; on the device where both know.
+PassTime& operator+=(PassTime& sum, const PassTime& time);
+
 // Starts when made.
 class PassClock {
  public:

@@ -1,6 +1,7 @@
 #include "frame/first_draws.h"
 
 #include "base/check.h"
+#include "device/pass_clock.h"
 
 namespace ssrkit {
 
@@ -24,11 +25,7 @@ Expected<PassTime> FirstDraws::draw(const PassDesc& pass) {
   (*progress_)("draw " + pass.name);
   auto time = behind().draw(pass);
   if (time) {
-    time->wall_ns += built->wall_ns;
-    time->cpu_ns += built->cpu_ns;
-    time->device_ns = time->device_ns && built->device_ns
-                          ? std::optional(*time->device_ns + *built->device_ns)
-                          : std::nullopt;
+    *time += *built;
   }
   return time;
 }

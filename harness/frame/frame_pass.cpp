@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "device/format.h"
+#include "device/pass_clock.h"
 #include "frame/blue_noise.h"
 
 namespace ssrkit {
@@ -100,14 +101,9 @@ Expected<UniformValues> valuesOf(const FramePass& pass, const UniformValues& sha
   return values;
 }
 
-void add(PassTime& sum, const PassTime& time) {
-  sum.wall_ns += time.wall_ns;
-  sum.cpu_ns += time.cpu_ns;
-}
-
 Expected<PassTime> drawMips(Device& device, const PreparedPass& pass, DeviceImage& image,
                             const Aliases& aliases, const FrameImages& images, const UniformValues& values) {
-  PassTime sum;
+  PassTime sum{.wall_ns = 0, .cpu_ns = 0, .device_ns = 0};
   for (int mip = 1; mip < image.desc().mip_count; ++mip) {
     Aliases with_finer = aliases;
     with_finer["finer"] = {.image = &image, .base_mip = mip - 1};
@@ -121,7 +117,7 @@ Expected<PassTime> drawMips(Device& device, const PreparedPass& pass, DeviceImag
     if (!time) {
       return time;
     }
-    add(sum, *time);
+    sum += *time;
   }
   return sum;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/pass_clock.h"
+
 namespace ssrkit {
 
 void PassTimes::add(const std::string& pass, const PassTime& time) {
@@ -11,11 +13,7 @@ void PassTimes::add(const std::string& pass, const PassTime& time) {
     round_.push_back({pass, time});
     return;
   }
-  drawn->time.wall_ns += time.wall_ns;
-  drawn->time.cpu_ns += time.cpu_ns;
-  drawn->time.device_ns = drawn->time.device_ns && time.device_ns
-                              ? std::optional(*drawn->time.device_ns + *time.device_ns)
-                              : std::nullopt;
+  drawn->time += time;
 }
 
 void PassTimes::endRound() {

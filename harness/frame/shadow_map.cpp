@@ -5,6 +5,7 @@
 #include <iterator>
 #include <vector>
 
+#include "device/pass_clock.h"
 #include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
 #include "frame/shadow_projection.h"
@@ -46,13 +47,6 @@ Size shadowMapSize(int cascade_count) {
 Expected<DeviceImage*> shadowMapImage(FrameImages& images, int cascade_count) {
   return images.getSized(
       {.name = "shadow_map", .format = Format::kD32f, .size = shadowMapSize(cascade_count), .mip_count = 1});
-}
-
-void add(PassTime& sum, const PassTime& time) {
-  sum.wall_ns += time.wall_ns;
-  sum.cpu_ns += time.cpu_ns;
-  sum.device_ns =
-      sum.device_ns && time.device_ns ? std::optional(*sum.device_ns + *time.device_ns) : std::nullopt;
 }
 
 }  // namespace
@@ -132,7 +126,7 @@ Expected<PassTime> drawShadowMap(Device& device, const ShadowMapPrograms& progra
       if (!time) {
         return time;
       }
-      add(sum, *time);
+      sum += *time;
       is_cleared = true;
     }
   }

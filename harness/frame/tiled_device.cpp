@@ -1,5 +1,7 @@
 #include "frame/tiled_device.h"
 
+#include "device/pass_clock.h"
+
 namespace ssrkit {
 
 std::vector<Rect> tilesOf(const Rect& viewport, int columns, int rows) {
@@ -32,10 +34,7 @@ Expected<PassTime> TiledDevice::draw(const PassDesc& pass) {
     if (!time) {
       return time;
     }
-    sum.wall_ns += time->wall_ns;
-    sum.cpu_ns += time->cpu_ns;
-    sum.device_ns =
-        sum.device_ns && time->device_ns ? std::optional(*sum.device_ns + *time->device_ns) : std::nullopt;
+    sum += *time;
     // Clears are of the whole image: the first tile's is for all.
     for (Attachment& attachment : of_tile.colour) {
       attachment.clear.reset();
