@@ -149,19 +149,20 @@ MutantRun MutantRunner::runKit(const std::vector<Mutant>& mutants) {
                               .is_wheat = true,
                               .about = "Nothing is changed: what fails here tells nothing of mutants."}};
   const auto start = std::chrono::steady_clock::now();
-  MutantChecks of_shaders{.instance = kShaderDevice};
-  MutantChecks of_harness;
+  std::map<std::string, TestsByRoom> unit_by_instance;
+  MutantChecks all;
   for (const Mutant& mutant : mutants) {
     const MutantChecks checks = checksFor(mutant, plan_);
-    MutantChecks& all = isOfHarness(mutant) ? of_harness : of_shaders;
     all.battery.insert(checks.battery.begin(), checks.battery.end());
     for (const auto& [room, tests] : checks.unit) {
-      all.unit[room].insert(tests.begin(), tests.end());
+      unit_by_instance[checks.instance][room].insert(tests.begin(), tests.end());
     }
   }
-  auto done = runUnit(of_shaders.unit, of_shaders.instance, plan_.paths.shaders, {}, result);
-  done = done ? runUnit(of_harness.unit, of_harness.instance, {}, {}, result) : done;
-  done = done && !of_shaders.battery.empty() ? runBattery(of_shaders, plan_.paths.shaders, "", result) : done;
+  Expected<void> done;
+  for (const auto& [instance, tests_by_room] : unit_by_instance) {
+    done = done ? runUnit(tests_by_room, instance, plan_.paths.shaders, {}, result) : done;
+  }
+  done = done && !all.battery.empty() ? runBattery(all, plan_.paths.shaders, "", result) : done;
   if (!done) {
     result.problem = sentence(done.error());
   }

@@ -14,7 +14,7 @@
 
 namespace ssrkit {
 
-// The instance of unit tests that runs over mutants of shaders.
+// The instance of unit tests that runs over mutants of shaders and of the frame.
 inline constexpr const char* kShaderDevice = "gl_osmesa";
 
 // What all runners share, read once.
@@ -40,7 +40,7 @@ struct MutantChecks {
   std::set<std::size_t> battery;  // tests, by index
   TestsByRoom unit;
   TestsByRoom last_resort;  // of the harness: the room's other tests, run where those above noticed nothing
-  std::string instance;     // of the unit tests
+  std::string instance;     // of the unit tests; empty: all
 };
 
 [[nodiscard]] MutantChecks checksFor(const Mutant& mutant, const MutationPlan& plan);
