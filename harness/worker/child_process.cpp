@@ -4,11 +4,14 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <string>
 
 #include "worker/kill_table.h"
 #include "worker/spawn.h"
@@ -108,6 +111,14 @@ bool ChildProcess::waitForEnd(std::chrono::milliseconds grace) {
     drainStderr();  // a child that cannot write cannot end
     ::poll(nullptr, 0, 1);
   }
+}
+
+std::int64_t ChildProcess::residentBytes() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/statm");
+  std::int64_t all_pages = 0;
+  std::int64_t resident_pages = 0;
+  file >> all_pages >> resident_pages;
+  return file ? resident_pages * ::sysconf(_SC_PAGESIZE) : 0;
 }
 
 ChildEnd ChildProcess::end(std::chrono::milliseconds grace) {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -45,6 +46,9 @@ class ChildProcess {
   bool drainStderr();
   [[nodiscard]] const std::string& stderrTail() const { return stderr_tail_; }
   void clearStderrTail() { stderr_tail_.clear(); }
+
+  // What it holds of the machine's memory; 0 where that cannot be read.
+  [[nodiscard]] std::int64_t residentBytes() const;
 
   // Closes the socket, waits up to `grace` for the child to end by itself, then kills its group and collects
   // it.

@@ -88,6 +88,10 @@ Expected<void> Worker::Impl::ensureStarted() {
   if (child && receiveMessage(child->socket(), false).state != Received::State::kNothingYet) {
     child.reset();
   }
+  if (child && child->residentBytes() > kRenewAboveBytes) {
+    child->end(kGrace);
+    child.reset();
+  }
   if (child) {
     return {};
   }

@@ -42,8 +42,12 @@ struct WorkerOptions {
   std::vector<std::pair<std::string, std::string>> environment = {};  // set over the device's own
 };
 
-// One device's worker. It is started at the first call, and again after a death. Different Workers may be
-// used from different threads at once; one Worker from one thread at a time.
+// A worker's process that holds more than this is replaced before its next job: a driver keeps the code of
+// every shader that it was ever given.
+inline constexpr std::int64_t kRenewAboveBytes = std::int64_t{384} << 20;
+
+// One device's worker. It is started at the first call, and again after a death or when it has grown.
+// Different Workers may be used from different threads at once; one Worker from one thread at a time.
 //
 // SSRKIT_FAULT makes a worker fail on purpose (fault.h).
 class Worker {

@@ -12,10 +12,10 @@
 #include "base/check.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// OSMesa keeps a buffer of every context for ever (about 160 bytes each).
+// OSMesa keeps a buffer of every context for ever (about 160 bytes each), lavapipe one of each instance.
 extern "C" const char*
 __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
-  return "leak:libOSMesa.so\n";
+  return "leak:libOSMesa.so\nleak:libvulkan_lvp.so\n";
 }
 #endif
 

@@ -31,7 +31,7 @@ TEST(ViewChange, AMirrorTurnsColumnsAndTheXOfDirections) {
   EXPECT_EQ(seen.at(36, 2, 1), 0.25F);
   EXPECT_EQ(imageIn(mirror, "albedo", normals).at(36, 2, 0), 0.5F);
   EXPECT_EQ(imageIn(mirror, "normal_view", seen).data, normals.data);
-  const RayHit& ray = recordIn(mirror, oneHit(3, 2, 10, 4)).at(36, 2);
+  const RayHit ray = recordIn(mirror, oneHit(3, 2, 10, 4)).at(36, 2);
   EXPECT_EQ(ray.texel_x, 29);
   EXPECT_EQ(ray.texel_y, 4);
   EXPECT_EQ(ray.px_x, 29.75F);

@@ -93,6 +93,11 @@ const std::map<std::string, Act> kActs = {
      }},
     {"alive", [](const Job&) -> Expected<JobResult> { return noted("alive"); }},
     {"pid", [](const Job&) -> Expected<JobResult> { return noted(std::to_string(::getpid())); }},
+    {"grow",
+     [](const Job&) -> Expected<JobResult> {
+       static const std::vector<char> kept(kRenewAboveBytes + 1, 'x');
+       return noted(std::to_string(::getpid()));
+     }},
     {"mutter",
      [](const Job&) -> Expected<JobResult> {
        std::fputs("a word of an earlier job\n", stderr);

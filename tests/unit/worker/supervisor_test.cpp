@@ -165,6 +165,17 @@ TEST(Supervisor, AWorkerThatDiedBetweenTwoJobsIsReplacedWithoutAWord) {
   EXPECT_EQ(note(worker.run(fakeJob("alive"), kAmple)), "alive");
 }
 
+TEST(Supervisor, AWorkerThatHasGrownIsReplacedBeforeItsNextJob) {
+  Worker worker = fakeWorker();
+  const std::string pid = worker.info()->identity.cpu;
+  EXPECT_EQ(note(worker.run(fakeJob("pid"), kAmple)), pid);
+  EXPECT_EQ(note(worker.run(fakeJob("grow"), kAmple)), pid);
+  const std::string next = note(worker.run(fakeJob("pid"), kAmple));
+  EXPECT_NE(next, "");
+  EXPECT_NE(next, pid);
+  EXPECT_EQ(note(worker.run(fakeJob("pid"), kAmple)), next);
+}
+
 TEST(Supervisor, AnExecutableThatCannotBeRunIsAnErrorThatNamesIt) {
   WorkerOptions options;
   options.executable = "/nowhere/ssrkit";
