@@ -12,10 +12,11 @@
 #include "base/check.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// OSMesa keeps a buffer of every context for ever (about 160 bytes each), lavapipe one of each instance.
+// Kept for ever: by OSMesa a buffer of every context, by lavapipe and the validation layer things of each
+// instance.
 extern "C" const char*
 __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
-  return "leak:libOSMesa.so\nleak:libvulkan_lvp.so\n";
+  return "leak:libOSMesa.so\nleak:libvulkan_lvp.so\nleak:libVkLayer_khronos_validation.so\n";
 }
 #endif
 

@@ -132,8 +132,10 @@ Expected<void> Instance::createInstance() {
     return resultError(kAttempted, "vkCreateInstance", result);
   }
 #ifdef __SANITIZE_ADDRESS__
-  // lavapipe keeps a table for ever: once its library is unloaded, that would look like a leak of ours.
-  static_cast<void>(dlopen("libvulkan_lvp.so", RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE));
+  // They keep things for ever: once their libraries are unloaded, those would look like leaks of ours.
+  for (const char* const library : {"libvulkan_lvp.so", "libVkLayer_khronos_validation.so"}) {
+    static_cast<void>(dlopen(library, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE));
+  }
 #endif
   return {};
 }
