@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <set>
+#include <span>
 
 #include "device/forwarding_device.h"
 #include "frame/run_job.h"
@@ -129,7 +129,7 @@ class WakesTheDead final : public ForwardingDevice {
   using ForwardingDevice::ForwardingDevice;
   [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override {
     std::vector<std::uint32_t> words(pass.uniforms.size() / sizeof(std::uint32_t));
-    std::memcpy(words.data(), pass.uniforms.data(), pass.uniforms.size());
+    std::ranges::copy(pass.uniforms, std::as_writable_bytes(std::span(words)).begin());
     std::ranges::replace(words, std::bit_cast<std::uint32_t>(-0.0F), std::bit_cast<std::uint32_t>(2.0F));
     PassDesc wrong = pass;
     wrong.uniforms = std::as_bytes(std::span(words));
