@@ -15,9 +15,6 @@ namespace fs = std::filesystem;
 // chosen once a process.
 const std::vector<std::string> kDeviceInstances = {kShaderDevice, "vk_lavapipe"};
 
-// A worker grows by some 40 MiB with each mutant of a shader.
-constexpr int kMutantsPerSuite = 16;
-
 // What one run of a room's test program is asked for.
 struct UnitTestProcess {
   std::string room;
@@ -83,8 +80,7 @@ Expected<void> MutantRunner::runUnit(const TestsByRoom& tests_by_room, const std
 
 Expected<void> MutantRunner::runBattery(const MutantChecks& checks, const fs::path& shaders,
                                         const std::string& first, MutantRun& result) {
-  if (suite_ == nullptr || mutants_in_suite_++ % kMutantsPerSuite == 0) {
-    suite_.reset();
+  if (suite_ == nullptr) {
     auto suite = batterySuite(plan_.battery, plan_.paths);
     if (!suite) {
       return tl::make_unexpected(suite.error());

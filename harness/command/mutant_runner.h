@@ -12,8 +12,7 @@
 
 namespace ssrkit {
 
-// One after the other, with workers of its own that live on from one mutant to the next, for some mutants: a
-// driver keeps the code of every shader that it was ever given.
+// One after the other, with workers of its own that live on from one mutant to the next.
 class MutantRunner {
  public:
   // `scratch` is a folder of this runner's own.
@@ -41,8 +40,7 @@ class MutantRunner {
 
   const MutationPlan& plan_;
   std::filesystem::path scratch_;
-  std::unique_ptr<Suite> suite_;  // made at the first use, and anew from time to time
-  int mutants_in_suite_ = 0;
+  std::unique_ptr<Suite> suite_;  // made at the first use
 };
 
 }  // namespace ssrkit

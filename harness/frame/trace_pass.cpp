@@ -41,7 +41,7 @@ std::vector<FramePass> tracePasses(const std::string& shader, const Technique& t
 }
 
 void drawWhereRaysStart(Technique& technique) {
-  int layer = tracePass("").layer;
+  int layer = withoutRayPass().layer;
   for (FramePass& pass : technique.after_trace) {
     if (pass.where_rays_start) {
       pass.depth = "ray_depth" + recordSuffix(technique);
