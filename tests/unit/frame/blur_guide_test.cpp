@@ -63,13 +63,14 @@ class BlurGuideTest : public PassTest {
 };
 
 TEST_P(BlurGuideTest, TheRadiusIsTheConesCircleSeenInTheMirrorAnd0AtContact) {
+  const double kernel_per_circle = kernelPerCircle();
   const auto check = [&](const std::string& shader) {
     const Image radius = guide(shader, 1e6);
     return difference(
         radius,
         imageOf(
             kSize,
-            [](int x, int y) {
+            [kernel_per_circle](int x, int y) {
               const double tangent = std::tan(2.0 * std::atan(roughness(x) * roughness(x)));
               const double eye = std::hypot((x + 0.5 - 30.5) / kPxScale, (y + 0.5 - 23.5) / kPxScale, 1.0);
               const double h = t_m(y);
@@ -80,7 +81,7 @@ TEST_P(BlurGuideTest, TheRadiusIsTheConesCircleSeenInTheMirrorAnd0AtContact) {
               const double per_m = tangent * (std::sqrt(1.0 + tangent * tangent) - tangent);
               const double miss = kPxScale * per_m * eye;
               const double px = y == 45 ? miss : kPxScale * circle_m / mirrored;
-              return std::array<double, 4>{kDist, y == 46 ? -1.0 : kernelPerCircle() * px};
+              return std::array<double, 4>{kDist, y == 46 ? -1.0 : kernel_per_circle * px};
             },
             2),
         2e-4);
