@@ -55,8 +55,8 @@ Pair childAt(const Rays& rays, const Pair& cell, Floats cell_size_px, Floats s) 
 
 // The next cell: down where a ray may hit, else along, and up where the parent is another one.
 void move(const HizScene& scene, const Rays& rays, Mask may_hit, const Exit& exit, Mask active, Pair& cell,
-          Floats& cell_size_px, Floats s_in) {
-  const Pair child = childAt(rays, cell, cell_size_px, s_in);
+          Floats& cell_size_px, Floats s_down) {
+  const Pair child = childAt(rays, cell, cell_size_px, s_down);
   Pair along = stepped(rays, cell, exit.is_x);
   const Pair parent{stdx::floor(0.5F * along.x), stdx::floor(0.5F * along.y)};
   const Mask climbs = cell_size_px < scene.coarsest_px &&
@@ -67,6 +67,23 @@ void move(const HizScene& scene, const Rays& rays, Mask may_hit, const Exit& exi
   stdx::where(active, cell.y) = chosen(may_hit, child.y, along.y);
   const Floats along_size_px = chosen(climbs, 2.0F * cell_size_px, cell_size_px);
   stdx::where(active, cell_size_px) = chosen(may_hit, 0.5F * cell_size_px, along_size_px);
+}
+
+// Up to where the rays that go away come up to a depth; 0 or less for others (ssr_depth_reach.glsl).
+struct DepthReach {
+  Floats inv_dist_start;
+  Floats s_per_inv_dist;
+
+  [[nodiscard]] Floats sBefore(Floats dist_view) const {
+    return (1.0F / dist_view - inv_dist_start) * s_per_inv_dist;
+  }
+};
+
+DepthReach depthReach(const Rays& rays) {
+  constexpr float kMargin = 1.0F / 65536.0F;
+  constexpr float kLevelInvDistPerS = 1e-20F;
+  return {rays.inv_dist_origin * (1.0F - kMargin),
+          chosen(rays.inv_dist_per_s < -kLevelInvDistPerS, 1.0F / rays.inv_dist_per_s, 0.0F)};
 }
 
 Marched march(const HizScene& scene, const Rays& rays, Mask active) {
@@ -81,10 +98,11 @@ Marched march(const HizScene& scene, const Rays& rays, Mask active) {
   stdx::where(starts_own, m.cell.y) = next.y;
   active = active && !m.is_over;
   m.s_out = m.s_in;
-  Floats inv_dist_in = chosen(starts_own, rays.invDist(m.s_in), rays.inv_dist_origin);
+  const DepthReach reach = depthReach(rays);
   for (int lookups = 0; lookups < scene.lookup_budget && stdx::any_of(active); ++lookups) {
     const Exit exit = exitOf(rays, m.cell, cell_size_px);
     const Floats s_out = stdx::min(exit.s, rays.s_end);
+    const Floats inv_dist_in = rays.invDist(m.s_in);
     const Floats inv_dist_out = rays.invDist(s_out);
     const Pair depths = loadPyramid(scene, m.cell, cell_size_px, active);
     stdx::where(active, m.lookups) += 1.0F;
@@ -96,9 +114,9 @@ Marched march(const HizScene& scene, const Rays& rays, Mask active) {
     m.is_hit = m.is_hit || (active && may_hit && cell_size_px == 1.0F);
     m.is_over = m.is_over || (active && !may_hit && s_out >= rays.s_end);
     active = active && !m.is_hit && !m.is_over;
-    move(scene, rays, may_hit, exit, active, m.cell, cell_size_px, m.s_in);
-    stdx::where(active && !may_hit, m.s_in) = s_out;
-    stdx::where(active && !may_hit, inv_dist_in) = inv_dist_out;
+    const Floats s_down = stdx::max(m.s_in, reach.sBefore(depths.x));
+    move(scene, rays, may_hit, exit, active, m.cell, cell_size_px, s_down);
+    stdx::where(active, m.s_in) = chosen(may_hit, s_down, s_out);
   }
   return m;
 }

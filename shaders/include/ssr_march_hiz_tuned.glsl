@@ -9,7 +9,7 @@
 #ifndef SSR_MARCH_HIZ_TUNED_GLSL
 #define SSR_MARCH_HIZ_TUNED_GLSL
 
-#include "ssr_ray.glsl"
+#include "ssr_depth_reach.glsl"
 
 RayHit march_hiz_tuned(Ray ray, TraceParameters parameters) {
   vec2 far_edge = ray_far_edge(ray);
@@ -18,16 +18,15 @@ RayHit march_hiz_tuned(Ray ray, TraceParameters parameters) {
   vec2 cell = floor(ray.origin_px);
   float cell_size_px = 1.0;
   float s_in = 0.0;
-  float inv_dist_in = ray.inv_dist_origin;
   if (all(equal(cell, ray.own_texel))) {
     vec2 s_edges = ray_s_at_edges(ray, cell + far_edge);
     s_in = min(s_edges.x, s_edges.y);
-    inv_dist_in = ray_inv_dist(ray, s_in);
     if (s_in >= ray.s_end) {
       return ray_without_hit(ray.end_class, 0, 0);
     }
     cell += s_edges.x <= s_edges.y ? vec2(direction.x, 0.0) : vec2(0.0, direction.y);
   }
+  DepthReach reach = depth_reach(ray);
   float s_out = s_in;
   vec2 cell_depths = vec2(0.0);
   int lookups = 0;
@@ -36,6 +35,7 @@ RayHit march_hiz_tuned(Ray ray, TraceParameters parameters) {
   while (lookups < parameters.lookup_budget) {
     vec2 s_edges = ray_s_at_edges(ray, (cell + far_edge) * cell_size_px);
     s_out = min(min(s_edges.x, s_edges.y), ray.s_end);
+    float inv_dist_in = ray_inv_dist(ray, s_in);
     float inv_dist_out = ray_inv_dist(ray, s_out);
     cell_depths = load_atlas(cell, cell_size_px);
     ++lookups;
@@ -47,17 +47,18 @@ RayHit march_hiz_tuned(Ray ray, TraceParameters parameters) {
     if (is_hit || is_over) {
       break;
     }
-    // Down: the child that the ray is in at s_in. Along: the neighbour, seen from one level up where it has another parent.
+    // Down: the child that the ray is in where it comes up to the cell's depth. Along: the neighbour, seen from one level
+    // up where it has another parent.
+    float s_down = max(s_in, s_before_depth(reach, cell_depths.x));
     vec2 s_middle = ray_s_at_edges(ray, (cell + 0.5) * cell_size_px);
-    vec2 is_past_middle = vec2(greaterThanEqual(vec2(s_in), s_middle));
+    vec2 is_past_middle = vec2(greaterThanEqual(vec2(s_down), s_middle));
     vec2 child = 2.0 * cell + abs((1.0 - far_edge) - is_past_middle);
     vec2 neighbour = cell + (s_edges.x <= s_edges.y ? vec2(direction.x, 0.0) : vec2(0.0, direction.y));
     vec2 parent = floor(0.5 * neighbour);
     bool climbs = cell_size_px < coarsest_px && any(notEqual(parent, floor(0.5 * cell)));
     cell = may_hit ? child : climbs ? parent : neighbour;
     cell_size_px = may_hit ? 0.5 * cell_size_px : climbs ? 2.0 * cell_size_px : cell_size_px;
-    s_in = may_hit ? s_in : s_out;
-    inv_dist_in = may_hit ? inv_dist_in : inv_dist_out;
+    s_in = may_hit ? s_down : s_out;
   }
   if (is_hit) {
     return ray_hit_in_texel(ray, cell, cell_depths.x, s_in, s_out, lookups, lookups, parameters);
