@@ -8,10 +8,10 @@
 namespace ssrkit {
 
 Image toImage(const GeometryResult& geometry, std::span<const GeometryVerdict> verdicts) {
-  SSRKIT_CHECK_EQ(geometry.rays.size(), verdicts.size());
-  Image image(geometry.size, {"class", "px.x", "px.y", "t_m", "dist_view", "verdict"});
+  SSRKIT_CHECK_EQ(geometry.pixelCount(), verdicts.size());
+  Image image(geometry.size(), {"class", "px.x", "px.y", "t_m", "dist_view", "verdict"});
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const TrueRay& ray = geometry.rays[i];
+    const TrueRay& ray = geometry.at(i);
     const glm::dvec2 px = ray.dist_view > 0.0 ? ray.plane.px : glm::dvec2(-1.0);
     const std::array<float, 6> values = {static_cast<float>(ray.true_class), static_cast<float>(px.x),
                                          static_cast<float>(px.y),           static_cast<float>(ray.t_m),

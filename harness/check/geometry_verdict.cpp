@@ -52,12 +52,12 @@ std::optional<GeometryVerdict> geometryVerdictFromName(std::string_view verdict_
 
 std::vector<GeometryVerdict> compareWithGeometry(const RayRecord& record, const GeometryResult& geometry,
                                                  const OracleInput& input) {
-  SSRKIT_CHECK(record.size == geometry.size && record.size == input.dist_view->size);
-  SSRKIT_CHECK_EQ(record.rays.size(), geometry.rays.size());
+  SSRKIT_CHECK(record.size == geometry.size() && record.size == input.dist_view->size);
+  SSRKIT_CHECK_EQ(record.rays.size(), geometry.pixelCount());
   const PixelProjection projection = pixelProjection(*input.camera);
   std::vector<GeometryVerdict> verdicts(record.rays.size());
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    verdicts[i] = verdictOf(record.rays[i], geometry.rays[i], projection, *input.dist_view);
+    verdicts[i] = verdictOf(record.rays[i], geometry.at(i), projection, *input.dist_view);
   }
   return verdicts;
 }
@@ -79,10 +79,10 @@ std::size_t GeometryCounts::count(GeometryVerdict verdict) const {
 }
 
 GeometryCounts countByTrueClass(const GeometryResult& geometry, std::span<const GeometryVerdict> verdicts) {
-  SSRKIT_CHECK_EQ(geometry.rays.size(), verdicts.size());
+  SSRKIT_CHECK_EQ(geometry.pixelCount(), verdicts.size());
   GeometryCounts counts;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const auto true_class = static_cast<std::size_t>(geometry.rays[i].true_class);
+    const auto true_class = static_cast<std::size_t>(geometry.at(i).true_class);
     ++counts.rays.at(true_class);
     ++counts.verdicts.at(true_class).at(static_cast<std::size_t>(verdicts[i]));
   }

@@ -21,7 +21,7 @@ std::string problemWithGeometry(const Answer& answer) {
   if (answer.geometry == nullptr || answer.oracle_input == nullptr) {
     return "what the rays truly meet is not known: there are no triangles, only the G-buffer of a renderer";
   }
-  if (answer.geometry->rays.size() != answer.record->rays.size()) {
+  if (answer.geometry->pixelCount() != answer.record->rays.size()) {
     return "the true geometry does not have the record's size";
   }
   return {};
@@ -108,7 +108,7 @@ Measurement measureGeometryVerdicts(const Expectation& expectation, const Subjec
   std::size_t index = 0;
   for (int y = 0; y < self.size.height; ++y) {
     for (int x = 0; x < self.size.width; ++x, ++index) {
-      if (!isAmong(self.geometry->rays[index].true_class, expectation.true_classes)) {
+      if (!isAmong(self.geometry->at(index).true_class, expectation.true_classes)) {
         continue;
       }
       ++measurement.compared;

@@ -1,8 +1,8 @@
 #include "oracle/geometry.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "base/check.h"
 #include "oracle/image_ray.h"
@@ -11,9 +11,6 @@
 namespace ssrkit {
 
 namespace {
-
-constexpr std::array<const char*, kTrueClassCount> kNames = {
-    "NONE", "VISIBLE", "UNSAMPLED", "OCCLUDED", "BACKFACE", "OFFSCREEN_TRUE", "SKY"};
 
 // How well a rasteriser's dist_view and pixel positions agree with the true ones (docs/precision.md).
 constexpr double kDepthRelative = 5e-6;
@@ -105,15 +102,6 @@ TrueRay trueRay(const OracleInput& input, const PixelProjection& projection, con
 
 }  // namespace
 
-const char* name(TrueClass true_class) {
-  return kNames.at(static_cast<std::size_t>(true_class));
-}
-
-std::optional<TrueClass> trueClassFromName(std::string_view class_name) {
-  const auto found = std::ranges::find(kNames, class_name);
-  return found == kNames.end() ? std::nullopt : std::optional(static_cast<TrueClass>(found - kNames.begin()));
-}
-
 bool holdsSurface(const PlaneInImage& plane, const PixelProjection& projection, const Image& dist_view, int x,
                   int y) {
   const glm::dvec2 to_centre = glm::dvec2(x + 0.5, y + 0.5) - plane.px;
@@ -131,13 +119,15 @@ Expected<GeometryResult> traceGeometry(const OracleInput& input, const TrueSurfa
   }
   SSRKIT_CHECK(surfaces.viewFromWorld() == input.camera->view_from_world);
   const PixelProjection projection = pixelProjection(*input.camera);
-  GeometryResult result{.size = input.camera->size, .rays = {}};
-  result.rays.resize(input.dist_view->texelCount());
-  forEachRow(result.size.height, thread_count, [&](int y) {
-    for (int x = 0; x < result.size.width; ++x) {
-      const std::size_t index = input.dist_view->index(x, y);
-      result.rays[index] = trueRay(input, projection, surfaces, x, y);
+  const Size size = input.camera->size;
+  GeometryResult result(size);
+  forEachRow(size.height, thread_count, [&](int y) {
+    std::vector<TrueRay> row;
+    row.reserve(static_cast<std::size_t>(size.width));
+    for (int x = 0; x < size.width; ++x) {
+      row.push_back(trueRay(input, projection, surfaces, x, y));
     }
+    result.setRow(y, row);
   });
   return result;
 }

@@ -20,10 +20,10 @@ Rgb8 colourOf(TrueClass true_class) {
 }
 
 ByteImage geometryPicture(const GeometryResult& geometry, const Image& lit) {
-  SSRKIT_CHECK(geometry.size == lit.size);
+  SSRKIT_CHECK(geometry.size() == lit.size);
   ByteImage picture = toneMap(lit);
-  for (int y = 0; y < geometry.size.height; ++y) {
-    for (int x = 0; x < geometry.size.width; ++x) {
+  for (int y = 0; y < lit.size.height; ++y) {
+    for (int x = 0; x < lit.size.width; ++x) {
       const TrueClass true_class = geometry.at(x, y).true_class;
       if (true_class != TrueClass::kNone) {
         std::ranges::copy(colourOf(true_class),

@@ -58,10 +58,10 @@ TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdict
 
 TrueClassSummary summarise(const GeometryResult& geometry, std::span<const GeometryVerdict> against_geometry,
                            std::span<const Verdict> against_oracle) {
-  SSRKIT_CHECK_EQ(geometry.rays.size(), against_oracle.size());
+  SSRKIT_CHECK_EQ(geometry.pixelCount(), against_oracle.size());
   TrueClassSummary summary{.geometry = countByTrueClass(geometry, against_geometry), .against_oracle = {}};
   for (std::size_t i = 0; i < against_oracle.size(); ++i) {
-    const auto true_class = static_cast<std::size_t>(geometry.rays[i].true_class);
+    const auto true_class = static_cast<std::size_t>(geometry.at(i).true_class);
     ++summary.against_oracle.at(true_class).at(static_cast<std::size_t>(against_oracle[i]));
   }
   return summary;

@@ -28,7 +28,19 @@ struct Wall : Bench {
     setGeometry(answers[0]);
   }
   RayHit& ray(int x, int y) { return records[0].rays[index(x, y)]; }
-  TrueRay& truth(int x, int y) { return geometries[0].rays[index(x, y)]; }
+  [[nodiscard]] TrueRay truth(int x, int y) const { return geometries[0].at(x, y); }
+  void setTruth(int x, int y, const TrueRay& ray) {
+    std::vector<TrueRay> row;
+    for (int i = 0; i < kSize.width; ++i) {
+      row.push_back(i == x ? ray : truth(i, y));
+    }
+    geometries[0].setRow(y, row);
+  }
+  void setTrueClass(int x, int y, TrueClass true_class) {
+    TrueRay ray = truth(x, y);
+    ray.true_class = true_class;
+    setTruth(x, y, ray);
+  }
   void setDepth(int x, int y, float dist_view) { images[0].at(x, y) = dist_view; }
   [[nodiscard]] std::string verdict(int x, int y) {
     const auto verdicts = compareWithGeometry(records[0], geometries[0], inputs[0]);
@@ -67,7 +79,7 @@ TEST(GeometryVerdict, AMissIsWrongOnlyWhereTheSurfaceIsVisible) {
   EXPECT_EQ(wall.verdict(8, 8), "MISSED_HIT");
   for (const TrueClass unseen : {TrueClass::kUnsampled, TrueClass::kOccluded, TrueClass::kBackface,
                                  TrueClass::kOffscreen, TrueClass::kSky}) {
-    wall.truth(8, 8).true_class = unseen;
+    wall.setTrueClass(8, 8, unseen);
     EXPECT_EQ(wall.verdict(8, 8), "TRUE_MISS") << name(unseen);
   }
 }
@@ -75,23 +87,25 @@ TEST(GeometryVerdict, AMissIsWrongOnlyWhereTheSurfaceIsVisible) {
 TEST(GeometryVerdict, AHitOfWhatTheCameraCannotSeeIsFalse) {
   Wall wall;
   for (const TrueClass unseen : {TrueClass::kBackface, TrueClass::kOffscreen, TrueClass::kSky}) {
-    wall.truth(8, 8).true_class = unseen;
+    wall.setTrueClass(8, 8, unseen);
     EXPECT_EQ(wall.verdict(8, 8), "FALSE_HIT") << name(unseen);
   }
   // At a silhouette the neighbour may show what the own texel does not.
-  wall.truth(8, 8).true_class = TrueClass::kUnsampled;
+  wall.setTrueClass(8, 8, TrueClass::kUnsampled);
   EXPECT_EQ(wall.verdict(8, 8), "TRUE_HIT");
 }
 
 TEST(GeometryVerdict, WithoutARayThereIsNone) {
   Wall wall;
-  wall.truth(8, 8).true_class = TrueClass::kNone;
+  wall.setTrueClass(8, 8, TrueClass::kNone);
   EXPECT_EQ(wall.verdict(8, 8), "NONE");
 }
 
 TEST(GeometryVerdict, AHitOutsideTheImageIsFalse) {
   Wall wall;
-  wall.truth(15, 15).plane.px = {15.9, 15.9};
+  TrueRay at_the_edge = wall.truth(15, 15);
+  at_the_edge.plane.px = {15.9, 15.9};
+  wall.setTruth(15, 15, at_the_edge);
   wall.ray(15, 15) = hitAt(17, 15);
   EXPECT_EQ(wall.verdict(15, 15), "FALSE_HIT");
 }
@@ -99,10 +113,10 @@ TEST(GeometryVerdict, AHitOutsideTheImageIsFalse) {
 TEST(GeometryMetrics, TrueClassShareCountsTheNamedClasses) {
   Wall wall;
   for (int x = 0; x < 4; ++x) {
-    wall.truth(x, 0).true_class = TrueClass::kNone;
-    wall.truth(x, 1).true_class = TrueClass::kSky;
+    wall.setTrueClass(x, 0, TrueClass::kNone);
+    wall.setTrueClass(x, 1, TrueClass::kSky);
   }
-  wall.truth(9, 9).true_class = TrueClass::kOccluded;
+  wall.setTrueClass(9, 9, TrueClass::kOccluded);
   const std::string section = "metric = \"true_class_share\"\nstages = [\"hiz\"]\n";
   const auto share = [&](const std::string& classes) {
     return wall.check(expectation(section + "true_classes = [" + classes + "]\nmin = 0\n"))
@@ -119,7 +133,7 @@ TEST(GeometryMetrics, TrueClassShareCountsTheNamedClasses) {
 TEST(GeometryMetrics, TrueVerdictShareIsOfTheNamedClasses) {
   Wall wall;
   for (int x = 0; x < 4; ++x) {
-    wall.truth(x, 1).true_class = TrueClass::kSky;  // still hit: false
+    wall.setTrueClass(x, 1, TrueClass::kSky);  // still hit: false
   }
   wall.ray(9, 9) = without(RayClass::kOffscreen);
   const auto share = [&](const std::string& verdicts, const std::string& classes) {
@@ -144,7 +158,7 @@ TEST(GeometryMetrics, HitErrorsAreOfVisibleRaysThatHit) {
   wall.ray(3, 4).px_x += 0.75F;
   wall.ray(5, 4).t_m = 2.5F;
   wall.ray(7, 7) = hitAt(0, 0);  // far off, but nobody can know
-  wall.truth(7, 7).true_class = TrueClass::kOccluded;
+  wall.setTrueClass(7, 7, TrueClass::kOccluded);
   wall.ray(8, 8) = without(RayClass::kRange);
   const CheckResult position = wall.check(
       expectation("metric = \"hit_position_px\"\ntruth = \"geometry\"\nstages = [\"hiz\"]\nmax = 0.5\n"));
@@ -192,9 +206,8 @@ TEST(GeometryMetrics, DepthIsHeldAgainstWhatTheCameraTrulySees) {
 
 TEST(GeometryImage, HoldsWhatAReaderNeeds) {
   Wall wall;
-  wall.truth(1, 0).true_class = TrueClass::kOffscreen;
-  wall.truth(1, 0).dist_view = -2.0;
-  wall.truth(2, 0) = TrueRay{.true_class = TrueClass::kSky};
+  wall.setTruth(1, 0, {.true_class = TrueClass::kOffscreen, .t_m = 2.0, .dist_view = -2.0});
+  wall.setTruth(2, 0, {.true_class = TrueClass::kSky});
   const auto verdicts = compareWithGeometry(wall.records[0], wall.geometries[0], wall.inputs[0]);
   const Image image = toImage(wall.geometries[0], verdicts);
   EXPECT_EQ(image.channels,

@@ -111,19 +111,19 @@ struct Bench {
 
   // Gives the answer, which must have a world, rays that all meet the wall in the middle of their own texel.
   GeometryResult& setGeometry(Answer& answer) {
-    GeometryResult& geometry = geometries.emplace_back();
-    geometry.size = answer.size;
+    GeometryResult& geometry = geometries.emplace_back(answer.size);
     const float dist_view = answer.oracle_input->dist_view->data.front();
     for (int y = 0; y < answer.size.height; ++y) {
+      std::vector<TrueRay> row;
       for (int x = 0; x < answer.size.width; ++x) {
-        TrueRay ray;
+        TrueRay& ray = row.emplace_back();
         ray.true_class = TrueClass::kVisible;
         ray.t_m = 2.0;
         ray.dist_view = dist_view;
         ray.plane.px = {x + 0.5, y + 0.5};
         ray.plane.inv_dist = 1.0 / dist_view;
-        geometry.rays.push_back(ray);
       }
+      geometry.setRow(y, row);
     }
     answer.geometry = &geometry;
     return geometry;

@@ -147,11 +147,11 @@ TEST(Geometry, TwoThreadsSayWhatOneSays) {
   const AnalyticScene gbuffer = sceneM4({97, 61});
   const GeometryResult one = traceWorld(gbuffer, worldM4(), {}, 1);
   const GeometryResult two = traceWorld(gbuffer, worldM4(), {}, 2);
-  ASSERT_EQ(one.rays.size(), two.rays.size());
-  for (std::size_t i = 0; i < one.rays.size(); ++i) {
-    EXPECT_EQ(one.rays[i].true_class, two.rays[i].true_class);
-    EXPECT_EQ(one.rays[i].t_m, two.rays[i].t_m);
-    EXPECT_EQ(one.rays[i].plane.px, two.rays[i].plane.px);
+  ASSERT_EQ(one.pixelCount(), two.pixelCount());
+  for (std::size_t i = 0; i < one.pixelCount(); ++i) {
+    EXPECT_EQ(one.at(i).true_class, two.at(i).true_class);
+    EXPECT_EQ(one.at(i).t_m, two.at(i).t_m);
+    EXPECT_EQ(one.at(i).plane.px, two.at(i).plane.px);
   }
 }
 

@@ -40,7 +40,7 @@ AnalyticScene mirrorPlane(Size size, double dist, double slope_x, double slope_y
 
 int countRaysThatMeetSomething(const GeometryResult& result) {
   int count = 0;
-  for (const TrueRay& ray : result.rays) {
+  for (const TrueRay& ray : raysOf(result)) {
     count += ray.t_m >= 0.0 ? 1 : 0;
   }
   return count;
@@ -48,7 +48,7 @@ int countRaysThatMeetSomething(const GeometryResult& result) {
 
 int countRays(const GeometryResult& result) {
   int count = 0;
-  for (const TrueRay& ray : result.rays) {
+  for (const TrueRay& ray : raysOf(result)) {
     count += ray.true_class != TrueClass::kNone ? 1 : 0;
   }
   return count;

@@ -82,7 +82,7 @@ TEST(Geometry, ABarBetweenTheTexelsCentresIsUnsampled) {
   }
   const GeometryResult result = traceWorld(gbuffer, world);
   int unsampled = 0;
-  for (const TrueRay& ray : result.rays) {
+  for (const TrueRay& ray : raysOf(result)) {
     if (ray.true_class == TrueClass::kUnsampled) {
       ++unsampled;
       EXPECT_NEAR(ray.dist_view, 4.0, 1e-5);

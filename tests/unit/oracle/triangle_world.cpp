@@ -158,9 +158,17 @@ std::optional<LoopHit> loopOverTriangles(const Scene& scene, glm::dvec3 origin, 
   return nearest;
 }
 
+std::vector<TrueRay> raysOf(const GeometryResult& result) {
+  std::vector<TrueRay> rays;
+  for (std::size_t pixel = 0; pixel < result.pixelCount(); ++pixel) {
+    rays.push_back(result.at(pixel));
+  }
+  return rays;
+}
+
 std::map<TrueClass, int> countClasses(const GeometryResult& result) {
   std::map<TrueClass, int> counts;
-  for (const TrueRay& ray : result.rays) {
+  for (const TrueRay& ray : raysOf(result)) {
     ++counts[ray.true_class];
   }
   return counts;

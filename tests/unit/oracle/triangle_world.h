@@ -58,6 +58,8 @@ struct LoopHit {
 // A mirror floor one metre down that fills the lower half of the image, nothing else in the G-buffer.
 [[nodiscard]] AnalyticScene mirrorFloor(Size size);
 
+// One for each pixel, row by row from the upper left.
+[[nodiscard]] std::vector<TrueRay> raysOf(const GeometryResult& result);
 [[nodiscard]] std::map<TrueClass, int> countClasses(const GeometryResult& result);
 
 // Sizes square, wide, odd, high and tiny.

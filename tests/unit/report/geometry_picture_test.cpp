@@ -3,15 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace ssrkit {
 namespace {
 
 TEST(GeometryPicture, ColoursRaysAndShowsThePictureElsewhere) {
-  GeometryResult geometry{.size = {3, 1}, .rays = std::vector<TrueRay>(3)};
-  geometry.rays[1].true_class = TrueClass::kOccluded;
-  geometry.rays[2].true_class = TrueClass::kSky;
+  GeometryResult geometry({3, 1});
+  geometry.setRow(0, std::array<TrueRay, 3>{TrueRay{.true_class = TrueClass::kNone},
+                                            TrueRay{.true_class = TrueClass::kOccluded},
+                                            TrueRay{.true_class = TrueClass::kSky}});
   Image lit({3, 1}, {"R", "G", "B"});
   std::ranges::fill(lit.data, 1.0F);
   const ByteImage picture = geometryPicture(geometry, lit);
