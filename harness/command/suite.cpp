@@ -12,6 +12,7 @@
 #include "command/half_buffers.h"
 #include "command/native_cells.h"
 #include "command/suite_jobs.h"
+#include "frame/frame_read_back.h"
 #include "frame/variants.h"
 
 namespace ssrkit {
@@ -122,6 +123,9 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
   }
   for (int part = 1; part < options_.parts; ++part) {
     runAgain(test, source, part, run);
+  }
+  if (std::ranges::any_of(run.cells, [](const CellRun& cell) { return isLargeFrame(cell.size); })) {
+    workers_.rest();
   }
   truths.finish();
   for (const CellRun& cell : run.cells) {

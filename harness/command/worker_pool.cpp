@@ -51,4 +51,13 @@ Expected<std::map<std::string, DeviceInfo>> WorkerPool::infos() {
   return infos;
 }
 
+void WorkerPool::rest() {
+  for (auto& [id, worker] : workers_) {
+    worker.rest();
+  }
+  for (auto& [key, worker] : in_environments_) {
+    worker.rest();
+  }
+}
+
 }  // namespace ssrkit

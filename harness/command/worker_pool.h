@@ -27,6 +27,9 @@ class WorkerPool {
   // Identity and traits of every device; the first that is absent is an error.
   [[nodiscard]] Expected<std::map<std::string, DeviceInfo>> infos();
 
+  // Ends every process until its next job.
+  void rest();
+
  private:
   WorkerOptions options_;
   std::map<std::string, Worker> workers_;

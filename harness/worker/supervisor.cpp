@@ -249,4 +249,8 @@ JobOutcome Worker::run(const Job& job, const JobLimits& limits) {
   return impl_->run(job, limits);
 }
 
+void Worker::rest() {
+  impl_->child.reset();
+}
+
 }  // namespace ssrkit

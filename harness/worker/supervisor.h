@@ -46,8 +46,8 @@ struct WorkerOptions {
 // every shader that it was ever given.
 inline constexpr std::int64_t kRenewAboveBytes = std::int64_t{384} << 20;
 
-// One device's worker. It is started at the first call, and again after a death or when it has grown.
-// Different Workers may be used from different threads at once; one Worker from one thread at a time.
+// One device's worker. It is started at the first call, and again after a death, a rest, or when it has
+// grown. Different Workers may be used from different threads at once; one Worker from one thread at a time.
 //
 // SSRKIT_FAULT makes a worker fail on purpose (fault.h).
 class Worker {
@@ -62,6 +62,9 @@ class Worker {
 
   // Blocks until the result, an error or a death. A worker that cannot be started is an Error.
   [[nodiscard]] JobOutcome run(const Job& job, const JobLimits& limits);
+
+  // Ends the process until the next job, which starts another. What info() said stays known.
+  void rest();
 
  private:
   struct Impl;

@@ -98,6 +98,19 @@ TEST(Lifetime, AWellBehavedWorkerIsNotWaitedForLongerThanItNeeds) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(500));
 }
 
+TEST(Lifetime, AWorkerAtRestHasNoProcessUntilItsNextJob) {
+  Worker worker = fakeWorker();
+  worker.rest();  // before its first
+  const std::string pid = worker.info()->identity.cpu;
+  worker.rest();
+  EXPECT_TRUE(hasNoChild());
+  EXPECT_EQ(worker.info()->identity.cpu, pid);
+  EXPECT_TRUE(hasNoChild());
+  const JobOutcome outcome = worker.run(fakeJob("sample"), kAmple);
+  EXPECT_TRUE(std::holds_alternative<JobResult>(outcome));
+  EXPECT_FALSE(hasNoChild());
+}
+
 TEST(Lifetime, DeathsOfEveryKindLeaveNoProcessAndNoDescriptor) {
   const std::size_t before = openDescriptorCount();
   {
