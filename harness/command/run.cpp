@@ -134,15 +134,16 @@ Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<S
   for (const SceneSource& source : scenes) {
     TestFile asked = test;
     keepWhatIsAsked(asked, source.defaults);
-    const auto run = std::make_shared<SceneRun>(suite.run(asked, source));
-    warnOfTies(run->checks);
-    std::vector<RunRow> rows = runRows(*run);
-    collect(*run, rows, findings);
+    SceneRun run = suite.run(asked, source);
+    warnOfTies(run.checks);
+    std::vector<RunRow> rows = runRows(run);
+    collect(run, rows, findings);
     if (auto written = finishWriting(); !written) {
       return written;
     }
-    writing = std::async(std::launch::async,
-                         [run, rows = std::move(rows), out] { return writeSceneFiles(out, *run, rows); });
+    writing = std::async(std::launch::async, [run = std::move(run), rows = std::move(rows), out]() mutable {
+      return writeSceneFiles(out, std::move(run), rows);
+    });
   }
   return finishWriting();
 }

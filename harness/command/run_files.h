@@ -9,8 +9,9 @@
 
 namespace ssrkit {
 
-// Writes DIR/SCENE/...; `rows` are the run's rows of this scene, for the contact sheets.
-[[nodiscard]] Expected<void> writeSceneFiles(const std::filesystem::path& folder, const SceneRun& run,
+// Writes DIR/SCENE/...; `rows` are the run's rows of this scene, for the contact sheets. The run's images and
+// records are given up one by one, as they are written.
+[[nodiscard]] Expected<void> writeSceneFiles(const std::filesystem::path& folder, SceneRun run,
                                              const std::vector<RunRow>& rows);
 
 }  // namespace ssrkit
