@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "frame/frame_read_back.h"
 #include "frame/history.h"
 
 namespace ssrkit {
@@ -15,8 +16,12 @@ std::string ownerName(std::size_t trace) {
   return fmt::format("trace {}", trace);
 }
 
-Expected<void> readTrace(const SequenceDrawing& drawing, const Tracing& trace, JobResult& result) {
+Expected<void> readTrace(const SequenceDrawing& drawing, std::size_t index, JobResult& result) {
+  const Tracing& trace = drawing.traces[index];
   drawing.progress("read back");
+  if (index + 1 == drawing.traces.size()) {
+    dropWhatStays(drawing.images, trace.imagesToRead());
+  }
   auto read = trace.read(drawing.device, drawing.images);
   if (!read) {
     return tl::make_unexpected(read.error());
@@ -46,7 +51,7 @@ Expected<void> drawSequence(const SequenceDrawing& drawing, int frame_count, int
         if (done && frame < last) {
           done = history.keep(device, images, ownerName(i));
         } else if (done && round == more_rounds) {
-          done = readTrace(drawing, traces[i], result);
+          done = readTrace(drawing, i, result);
         }
       }
     }

@@ -12,14 +12,10 @@ namespace {
 
 constexpr std::int64_t kMostKeptTexels = std::int64_t{1} << 22;
 
-void dropWhatStays(FrameImages& images) {
+bool leavesDevice(const std::string& name) {
   const auto rows = frameImages();
-  for (const std::string& name : images.names()) {
-    const auto row = std::ranges::find(rows, name, &FrameImageRow::name);
-    if (row == rows.end() || row->folder.empty()) {
-      images.drop(name);
-    }
-  }
+  const auto row = std::ranges::find(rows, name, &FrameImageRow::name);
+  return row != rows.end() && !row->folder.empty();
 }
 
 }  // namespace
@@ -28,11 +24,19 @@ bool isLargeFrame(Size size) {
   return std::int64_t{size.width} * size.height > kMostKeptTexels;
 }
 
-Expected<std::map<std::string, Image>> readFrame(Device& device, FrameImages& images, bool is_given) {
-  const bool is_large = isLargeFrame(images.size());
-  if (is_large) {
-    dropWhatStays(images);
+void dropWhatStays(FrameImages& images, const std::set<std::string>& names) {
+  if (!isLargeFrame(images.size())) {
+    return;
   }
+  for (const std::string& name : images.names()) {
+    if (!leavesDevice(name) && !names.contains(name)) {
+      images.drop(name);
+    }
+  }
+}
+
+Expected<std::map<std::string, Image>> readFrame(Device& device, FrameImages& images, bool is_given) {
+  dropWhatStays(images, {});
   std::map<std::string, Image> result;
   for (const FrameImageRow& row : frameImages()) {
     const DeviceImage* image = images.find(row.name);
@@ -44,7 +48,7 @@ Expected<std::map<std::string, Image>> readFrame(Device& device, FrameImages& im
       return tl::make_unexpected(read.error());
     }
     result.emplace(row.name, std::move(*read));
-    if (is_large) {
+    if (isLargeFrame(images.size())) {
       images.drop(row.name);
     }
   }

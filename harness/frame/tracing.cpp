@@ -193,6 +193,24 @@ Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues&
   return done;
 }
 
+std::map<std::string, std::string> Tracing::pictures() const {
+  // What the tracer read in the place of the frame's own is told under the frame's name for it.
+  std::map<std::string, std::string> pictures = technique_.trace_inputs;
+  for (const std::string& name : technique_.read_back) {
+    pictures.emplace(name, name);
+  }
+  return pictures;
+}
+
+std::set<std::string> Tracing::imagesToRead() const {
+  const std::string suffix = recordSuffix(technique_);
+  std::set<std::string> names = {"hit_texel" + suffix, "hit_point" + suffix, "ray_work" + suffix};
+  for (const auto& [name, source] : pictures()) {
+    names.insert(source);
+  }
+  return names;
+}
+
 Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) const {
   TraceResult result{.stage = stage_,
                      .technique = technique_.name,
@@ -207,12 +225,7 @@ Expected<TraceResult> Tracing::read(Device& device, const FrameImages& images) c
     return tl::make_unexpected(record.error());
   }
   result.record = std::move(*record);
-  // What the tracer read in the place of the frame's own is told under the frame's name for it.
-  std::map<std::string, std::string> wanted = technique_.trace_inputs;
-  for (const std::string& name : technique_.read_back) {
-    wanted.emplace(name, name);
-  }
-  for (const auto& [name, source] : wanted) {
+  for (const auto& [name, source] : pictures()) {
     auto image = readImage(device, *images.find(source), frameImageRow(source).channels);
     if (!image) {
       return tl::make_unexpected(image.error());

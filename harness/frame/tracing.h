@@ -1,6 +1,8 @@
 // One trace over a frame, with the technique that makes a picture of it.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,12 +40,18 @@ class Tracing {
   // Reads the record (of the last sample) and the technique's images of the last draw.
   [[nodiscard]] Expected<TraceResult> read(Device& device, const FrameImages& images) const;
 
+  // The images that read() reads beside those that leave the device with the frame.
+  [[nodiscard]] std::set<std::string> imagesToRead() const;
+
  private:
   [[nodiscard]] Expected<void> drawAll(Device& device, const std::vector<PreparedPass>& passes,
                                        FrameImages& images, const UniformValues& values,
                                        const Progress& progress);
   [[nodiscard]] Expected<void> drawTrace(Device& device, FrameImages& images, const UniformValues& values,
                                          const Progress& progress);
+
+  // The device images that become pictures of the result, by their names there.
+  [[nodiscard]] std::map<std::string, std::string> pictures() const;
 
   // What the pyramid is built from: the image that the tracer reads as dist_view.
   [[nodiscard]] std::string depthImage() const;
