@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "check/measure.h"
 #include "check/ray_pairs.h"
@@ -59,7 +60,7 @@ Measurement measureClosedForm(const Expectation& expectation, const Subject& sub
       }
     }
   }
-  Measurement measurement = findingsOf(pairs, std::move(differing), subject);
+  Measurement measurement = findingsOf(std::move(pairs), std::move(differing), subject);
   measurement.value = static_cast<double>(measurement.findings.size());
   measurement.compared_what = "pixels";
   measurement.remark = fmt::format("{}; {} pixels are not decided by it", form->formula, undecided);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "check/measure.h"
 #include "check/percentile.h"
@@ -11,11 +13,12 @@ namespace ssrkit {
 
 namespace {
 
-template <class Keep>
-std::vector<RayPair> select(const RayPairs& pairs, Keep keep) {
-  std::vector<RayPair> kept;
-  std::ranges::copy_if(pairs.pairs, std::back_inserter(kept), keep);
-  return kept;
+// Those pairs that `disagree`.
+template <class Disagree>
+Measurement findingsAmong(RayPairs pairs, Disagree disagree, const Subject& subject) {
+  std::vector<RayPair> differing;
+  std::ranges::copy_if(pairs.pairs, std::back_inserter(differing), disagree);
+  return findingsOf(std::move(pairs), std::move(differing), subject);
 }
 
 bool differ(const RayPair& pair) {
@@ -76,11 +79,11 @@ Measurement measureVerdictGain(const Expectation& expectation, const Subject& su
 }
 
 Measurement measureDifferentRays(const Expectation& expectation, const Subject& subject) {
-  const RayPairs pairs = pairRays(subject, expectation.truth);
+  RayPairs pairs = pairRays(subject, expectation.truth);
   if (!pairs.problem.empty()) {
     return cannotMeasure(pairs.problem);
   }
-  Measurement measurement = findingsOf(pairs, select(pairs, differ), subject);
+  Measurement measurement = findingsAmong(std::move(pairs), differ, subject);
   measurement.value = static_cast<double>(measurement.findings.size());
   return measurement;
 }
@@ -100,19 +103,18 @@ Measurement measureAmbiguousShare(const Subject& subject) {
 }
 
 Measurement measureVerdicts(const Expectation& expectation, const Subject& subject) {
-  const RayPairs pairs = pairRays(subject, expectation.truth);
+  RayPairs pairs = pairRays(subject, expectation.truth);
   const Answer& self = *subject.self;
   if (!pairs.problem.empty() || self.oracle_input == nullptr) {
     return cannotMeasure(pairs.problem.empty() ? "the oracle's input is not known" : pairs.problem);
   }
   const std::vector<Verdict> verdicts = compareWithOracle(*self.record, *self.oracle, *self.oracle_input);
   const RayHit* first = self.record->rays.data();
-  const auto counted = [&](const RayHit* ray) {
-    const Verdict verdict = verdicts[static_cast<std::size_t>(ray - first)];
+  const auto counted = [&](const RayPair& pair) {
+    const Verdict verdict = verdicts[static_cast<std::size_t>(pair.yours - first)];
     return std::ranges::find(expectation.verdicts, verdict) != expectation.verdicts.end();
   };
-  Measurement measurement =
-      findingsOf(pairs, select(pairs, [&](const RayPair& pair) { return counted(pair.yours); }), subject);
+  Measurement measurement = findingsAmong(std::move(pairs), counted, subject);
   const VerdictCounts counts = countVerdicts(verdicts);
   std::size_t wanted = 0;
   for (const Verdict verdict : expectation.verdicts) {
@@ -143,13 +145,13 @@ Measurement measureHitPosition(const Expectation& expectation, const Subject& su
   }
   const double value = distances.empty() ? 0.0 : percentileOf(distances, expectation.percentile);
   // The rays at or beyond the percentile are the ones to look at.
-  Measurement measurement = findingsOf(
-      pairs, select(pairs, [&](const RayPair& pair) { return hitDistancePx(pair) >= value && value > 0.0; }),
+  const RayRecord* expected = pairs.expected;
+  Measurement measurement = findingsAmong(
+      std::move(pairs), [&](const RayPair& pair) { return hitDistancePx(pair) >= value && value > 0.0; },
       subject);
   measurement.confusion.clear();
   measurement.cause = nullptr;
   const RayRecord* yours = subject.self->record;
-  const RayRecord* expected = pairs.expected;
   const auto position = [](const RayHit& hit) { return fmt::format("({:.4f}, {:.4f})", hit.px_x, hit.px_y); };
   for (Finding& finding : measurement.findings) {
     finding.severity = hitDistancePx(
@@ -186,14 +188,14 @@ Measurement measureFoundShare(const Expectation& expectation, const Subject& sub
 }
 
 Measurement measureMaskFlips(const Expectation& expectation, const Subject& subject) {
-  const RayPairs pairs = pairRays(subject, expectation.truth);
+  RayPairs pairs = pairRays(subject, expectation.truth);
   if (!pairs.problem.empty()) {
     return cannotMeasure(pairs.problem);
   }
   const auto flips = [](const RayPair& pair) {
     return (pair.yours->ray_class == RayClass::kHit) != (pair.expected->ray_class == RayClass::kHit);
   };
-  Measurement measurement = findingsOf(pairs, select(pairs, flips), subject);
+  Measurement measurement = findingsAmong(std::move(pairs), flips, subject);
   constexpr double kMillion = 1e6;
   measurement.value = kMillion * static_cast<double>(measurement.findings.size()) /
                       std::max(1.0, static_cast<double>(subject.self->record->rays.size()));

@@ -113,6 +113,8 @@ RayPairs pairRays(const Subject& subject, const Truth& truth) {
     return result;
   }
   result.expected = expected.record;
+  // Grown bit by bit, they would be there twice. What is not filled takes no memory.
+  result.pairs.reserve(yours.rays.size());
   for (int y = 0; y < yours.size.height; ++y) {
     for (int x = 0; x < yours.size.width; ++x) {
       const RayPair pair{x, y, &yours.at(x, y), &expected.record->at(x, y)};
@@ -131,7 +133,7 @@ RayPairs pairRays(const Subject& subject, const Truth& truth) {
   return result;
 }
 
-Measurement findingsOf(const RayPairs& pairs, std::vector<RayPair> differing, const Subject& subject) {
+Measurement findingsOf(RayPairs pairs, std::vector<RayPair> differing, const Subject& subject) {
   Measurement measurement;
   measurement.compared = pairs.pairs.size();
   if (pairs.ambiguous > 0) {
@@ -149,7 +151,7 @@ Measurement findingsOf(const RayPairs& pairs, std::vector<RayPair> differing, co
                        &expected->at(finding.x, finding.y)};
     return FindingText{answerText(*pair.yours), answerText(*pair.expected), deltaText(pair)};
   };
-  auto all = std::make_shared<const std::vector<RayPair>>(pairs.pairs);
+  auto all = std::make_shared<const std::vector<RayPair>>(std::move(pairs.pairs));
   auto wrong = std::make_shared<const std::vector<RayPair>>(std::move(differing));
   const Answer* self = subject.self;
   measurement.cause = [all, wrong, self] { return likelyCause(SignatureInput{*all, *wrong, *self}); };

@@ -40,7 +40,6 @@ struct RayPairs {
 
 // Makes the findings of a measurement out of pairs that disagree: value, confusion, description and likely
 // cause.
-[[nodiscard]] Measurement findingsOf(const RayPairs& pairs, std::vector<RayPair> differing,
-                                     const Subject& subject);
+[[nodiscard]] Measurement findingsOf(RayPairs pairs, std::vector<RayPair> differing, const Subject& subject);
 
 }  // namespace ssrkit
