@@ -37,7 +37,7 @@ OnPath onPath(const ImageRay& ray, int x, int y) {
 }  // namespace
 
 LeakClassifier::LeakClassifier(const OracleInput& input)
-    : depth_without_(*input.dist_view), input_(input), projection_(pixelProjection(*input.camera)) {}
+    : input_(input), projection_(pixelProjection(*input.camera)) {}
 
 std::optional<LeakClassifier::TexelAt> LeakClassifier::firstHit(int x, int y) const {
   OracleInput input = input_;
@@ -57,6 +57,9 @@ bool LeakClassifier::isLeak(const RayHit& answer, int x, int y) {
   const PixelRay pixel = pixelRay(input_, projection_, x, y);
   if (!pixel.is_walked) {
     return false;
+  }
+  if (depth_without_.data.empty()) {
+    depth_without_ = *input_.dist_view;
   }
   std::vector<std::pair<std::size_t, float>> removed;
   bool leak = false;

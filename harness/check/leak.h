@@ -14,7 +14,7 @@
 
 namespace ssrkit {
 
-// Decides rays one by one over a depth image that it copies once.
+// Decides rays one by one over a depth image that it copies once, for the first of them.
 class LeakClassifier {
  public:
   explicit LeakClassifier(const OracleInput& input);

@@ -37,6 +37,7 @@ double medianOrCold_ms(const PassReport& pass, std::int64_t PassTime::*field) {
 TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdicts) {
   TraceSummary summary;
   std::vector<double> lookups;
+  lookups.reserve(record.rays.size());  // what is not filled takes no memory
   for (const RayHit& ray : record.rays) {
     ++summary.classes.at(static_cast<std::size_t>(ray.ray_class));
     if (isTraced(ray)) {
@@ -46,8 +47,8 @@ TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdict
   summary.traced_rays = lookups.size();
   if (!lookups.empty()) {
     const double total = std::accumulate(lookups.begin(), lookups.end(), 0.0);
-    summary.lookups = {total / static_cast<double>(lookups.size()), percentileOf(lookups, 50),
-                       percentileOf(lookups, 95), std::ranges::max(lookups)};
+    summary.lookups = {total / static_cast<double>(lookups.size()), percentileAmong(lookups, 50),
+                       percentileAmong(lookups, 95), std::ranges::max(lookups)};
   }
   if (!verdicts.empty()) {
     SSRKIT_CHECK_EQ(verdicts.size(), record.rays.size());
