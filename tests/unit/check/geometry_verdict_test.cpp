@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "check/geometry_image.h"
@@ -30,9 +31,9 @@ struct Wall : Bench {
   RayHit& ray(int x, int y) { return records[0].rays[index(x, y)]; }
   [[nodiscard]] TrueRay truth(int x, int y) const { return geometries[0].at(x, y); }
   void setTruth(int x, int y, const TrueRay& ray) {
-    std::vector<TrueRay> row;
+    std::array<TrueRay, kSize.width> row;
     for (int i = 0; i < kSize.width; ++i) {
-      row.push_back(i == x ? ray : truth(i, y));
+      row.at(static_cast<std::size_t>(i)) = i == x ? ray : truth(i, y);
     }
     geometries[0].setRow(y, row);
   }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -31,9 +33,9 @@ TEST(GeometryResult, GivesEachPixelItsOwnRayByPlaceAndByNumber) {
   result.setRow(1, std::array{rayAfter(4.0), TrueRay{}, rayAfter(6.0)});
   result.setRow(0, std::array{TrueRay{}, rayAfter(2.0), TrueRay{}});
   const std::array<double, 6> t_m = {-1.0, 2.0, -1.0, 4.0, -1.0, 6.0};
+  std::size_t pixel = 0;
   for (int y = 0; y < 2; ++y) {
-    for (int x = 0; x < 3; ++x) {
-      const auto pixel = static_cast<std::size_t>(3 * y + x);
+    for (int x = 0; x < 3; ++x, ++pixel) {
       EXPECT_EQ(result.at(x, y).t_m, t_m.at(pixel)) << x << " " << y;
       EXPECT_EQ(&result.at(pixel), &result.at(x, y)) << x << " " << y;
     }
@@ -51,9 +53,9 @@ TEST(GeometryResult, ARowThatIsSetAgainForgetsItsRays) {
 
 TEST(GeometryResult, HoldsARowOfRaysAlone) {
   constexpr int kWidth = std::numeric_limits<std::uint16_t>::max();
-  std::vector<TrueRay> row;
-  for (int x = 0; x < kWidth; ++x) {
-    row.push_back(rayAfter(x));
+  std::vector<TrueRay> row(kWidth);
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    row[x] = rayAfter(static_cast<double>(x));
   }
   GeometryResult result({kWidth, 1});
   result.setRow(0, row);
