@@ -65,6 +65,7 @@ struct Worker::Impl {
     }
   }
 
+  [[nodiscard]] bool hasGrown() const;
   Expected<void> ensureStarted();
   Expected<void> greet();
   JobOutcome run(const Job& job, const JobLimits& limits);
@@ -79,16 +80,22 @@ struct Worker::Impl {
   std::vector<std::pair<std::string, std::string>> environment;
   WorkerOptions options;
   std::optional<ChildProcess> child;
+  std::optional<std::int64_t> bytes_after_first_job;  // of the child
   std::optional<DeviceInfo> device;
   std::string last_progress;
 };
+
+bool Worker::Impl::hasGrown() const {
+  const std::int64_t bytes = child->residentBytes();
+  return bytes > kRenewAboveBytes || bytes - bytes_after_first_job.value_or(bytes) > kRenewGrownBytes;
+}
 
 Expected<void> Worker::Impl::ensureStarted() {
   // It may have died between two jobs; nothing is to be read then from one that is well.
   if (child && receiveMessage(child->socket(), false).state != Received::State::kNothingYet) {
     child.reset();
   }
-  if (child && child->residentBytes() > kRenewAboveBytes) {
+  if (child && hasGrown()) {
     child->end(kGrace);
     child.reset();
   }
@@ -101,6 +108,7 @@ Expected<void> Worker::Impl::ensureStarted() {
     return tl::make_unexpected(started.error());
   }
   child.emplace(std::move(*started));
+  bytes_after_first_job.reset();
   Expected<void> greeted = greet();
   if (!greeted) {
     child.reset();
@@ -158,6 +166,7 @@ JobOutcome Worker::Impl::run(const Job& job, const JobLimits& limits) {
   if (auto* const death = std::get_if<WorkerDeath>(&reply)) {
     return std::move(*death);
   }
+  bytes_after_first_job = bytes_after_first_job.value_or(child->residentBytes());
   const Message& message = std::get<Message>(reply);
   if (message.type == MessageType::kResult) {
     if (std::optional<JobResult> result = unpackResult(message.payload)) {

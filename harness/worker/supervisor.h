@@ -42,9 +42,11 @@ struct WorkerOptions {
   std::vector<std::pair<std::string, std::string>> environment = {};  // set over the device's own
 };
 
-// A worker's process that holds more than this is replaced before its next job: a driver keeps the code of
-// every shader that it was ever given.
+// A worker's process that holds more than this, or so much more than after its first job, is replaced before
+// its next one: a driver keeps the code of every shader that it was ever given, and what it frees of a scene
+// does not all go back.
 inline constexpr std::int64_t kRenewAboveBytes = std::int64_t{384} << 20;
+inline constexpr std::int64_t kRenewGrownBytes = std::int64_t{128} << 20;
 
 // One device's worker. It is started at the first call, and again after a death, a rest, or when it has
 // grown. Different Workers may be used from different threads at once; one Worker from one thread at a time.

@@ -98,6 +98,11 @@ const std::map<std::string, Act> kActs = {
        static const std::vector<char> kept(kRenewAboveBytes + 1, 'x');
        return noted(std::to_string(::getpid()));
      }},
+    {"grow a little",
+     [](const Job&) -> Expected<JobResult> {
+       static const std::vector<char> kept(kRenewGrownBytes + 1, 'x');
+       return noted(std::to_string(::getpid()));
+     }},
     {"mutter",
      [](const Job&) -> Expected<JobResult> {
        std::fputs("a word of an earlier job\n", stderr);

@@ -176,6 +176,17 @@ TEST(Supervisor, AWorkerThatHasGrownIsReplacedBeforeItsNextJob) {
   EXPECT_EQ(note(worker.run(fakeJob("pid"), kAmple)), next);
 }
 
+TEST(Supervisor, AWorkerIsReplacedForWhatItGrowsAfterItsFirstJobAndNotForWhatThatTakes) {
+  Worker worker = fakeWorker();
+  const std::string pid = note(worker.run(fakeJob("grow a little"), kAmple));
+  EXPECT_EQ(note(worker.run(fakeJob("grow a little"), kAmple)), pid);
+  EXPECT_EQ(note(worker.run(fakeJob("grow"), kAmple)), pid);
+  const std::string next = note(worker.run(fakeJob("pid"), kAmple));
+  EXPECT_NE(next, pid);
+  EXPECT_EQ(note(worker.run(fakeJob("grow a little"), kAmple)), next);
+  EXPECT_NE(note(worker.run(fakeJob("pid"), kAmple)), next);
+}
+
 TEST(Supervisor, AnExecutableThatCannotBeRunIsAnErrorThatNamesIt) {
   WorkerOptions options;
   options.executable = "/nowhere/ssrkit";
