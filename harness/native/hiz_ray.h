@@ -14,6 +14,7 @@ constexpr float kClassRange = 4.0F;
 
 struct Rays {
   Mask is_lane{false};  // the last lanes may have no texel
+  Mask into_surface{false};
   Pair own_texel;
   Pair origin_px;
   Pair origin_cell;
@@ -25,7 +26,6 @@ struct Rays {
   Floats inv_dist_per_s;
   Floats s_end;
   Floats end_class;  // the contract's codes
-  Mask into_surface{false};
 
   [[nodiscard]] Floats invDist(Floats s) const {
     return stdx::max(inv_dist_origin + s * inv_dist_per_s, Floats(kFarthestInvDist));
