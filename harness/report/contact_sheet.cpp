@@ -87,14 +87,19 @@ class SheetDrawing {
     paste(canvas_, layout_.columnX(column), layout_.pictureY(row), image, scale_.grow);
   }
 
+  // A sheet of one stage is narrow: the title is then smaller.
   void drawTitle() {
     const int y = SheetLayout::kMargin + 26;
     const std::string words =
         fmt::format("{}   {} x {}   {}   thickness {}", cellText(sheet_.scene, 48), sheet_.lit->size.width,
                     sheet_.lit->size.height, sheet_.device, sheet_.thickness);
-    text(SheetLayout::kMargin, y, words, kTitle);
-    fillRect(canvas_, {SheetLayout::kMargin, y + 12, {canvas_.size.width - 2 * SheetLayout::kMargin, 2}},
-             kInk);
+    const int room = canvas_.size.width - 2 * SheetLayout::kMargin;
+    TextStyle style = kTitle;
+    while (style.height_px > kPale.height_px && painter_.widthOf(words, style) > room) {
+      --style.height_px;
+    }
+    text(SheetLayout::kMargin, y, words, style);
+    fillRect(canvas_, {SheetLayout::kMargin, y + 12, {room, 2}}, kInk);
   }
 
   void swatch(int x, int baseline_y, Rgb8 colour) {

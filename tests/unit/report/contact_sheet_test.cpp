@@ -86,6 +86,21 @@ TEST(ContactSheet, ShowsErrorColoursOnlyWhereThereAreErrors) {
             static_cast<std::size_t>(std::ranges::count(data.runs[1].verdicts, Verdict::kLeak)));
 }
 
+TEST(ContactSheet, TheTitleEndsBeforeTheMarginOfANarrowSheetToo) {
+  TextPainter painter = painterForTests();
+  SheetData data = dataOf({320, 180}, 1);
+  data.sheet.scene = "a scene of a longer name";
+  data.sheet.thickness = "0.5 m + 5 %";
+  const ByteImage picture = drawContactSheet(data.sheet, painter);
+  constexpr int kMargin = 24;
+  constexpr int kTitleRows = 60;
+  for (int y = 0; y < kTitleRows; ++y) {
+    for (int x = picture.size.width - kMargin; x < picture.size.width; ++x) {
+      ASSERT_EQ(picture.data[picture.index(x, y)], 255) << x << " " << y;
+    }
+  }
+}
+
 TEST(ContactSheet, TakesEverySizeAndWhatIsNotThere) {
   TextPainter painter = painterForTests();
   for (const Size size : {Size{1, 1}, Size{3, 200}, Size{1000, 7}, Size{641, 359}}) {
