@@ -3,7 +3,7 @@
 // Out: albedo     rgb base colour, linear
 //      normal_view xyz unit shading normal; a cosine between the reflected view direction and the geometric normal,
 //                 negative where a normal map bends the reflection below the surface
-//      material   r metallic, g roughness, b 1 where rays are traced
+//      material   r metallic, g roughness, b 1 where rays are traced, a 1 (background: 0, by the clear)
 //      emission   rgb, linear
 //      dist_view  metres (background: +inf, by the clear)
 //      motion     pixels: p_px now minus p_px of the same surface point in the previous frame; +inf where the point was

@@ -1,6 +1,7 @@
 // The class of every texel from which no ray starts; drawn before each tracer.
 //
-// In:  dist_view, material (b: 1 where rays are traced).
+// In:  material (b: 1 where rays are traced; a: 0 for background). One read a texel: with a second one, of dist_view, the
+//      pass takes half as long again.
 // Out: ray_work (class, 0, 0) and the depth, the near end. A texel with a ray stays at the far end, where the tracer's
 //      triangle passes the depth test; elsewhere the tracer is not run, and the other images of the record keep their
 //      clear: -1, no hit.
@@ -14,16 +15,16 @@ layout(std140, binding = 0) uniform WithoutRayBlock {
   int ray_stride_texels;
 };
 
-layout(binding = 1) uniform sampler2D dist_view;
-layout(binding = 2) uniform sampler2D material;
+layout(binding = 1) uniform sampler2D material;
 
 layout(location = 0) out uvec4 ray_work;
 
 void main() {
   vec2 texel = floor(gl_FragCoord.xy) * float(ray_stride_texels);
   vec2 uv = (texel + 0.5) * texel_uv;
-  bool is_background = isinf(textureLod(dist_view, uv, 0.0).x);
-  bool has_ray = !is_background && textureLod(material, uv, 0.0).b != 0.0;
+  vec4 surface = textureLod(material, uv, 0.0);
+  bool is_background = surface.a == 0.0;
+  bool has_ray = !is_background && surface.b != 0.0;
   ray_work = uvec4(is_background ? RAY_BACKGROUND : RAY_MASKED, 0, 0, 0);
   gl_FragDepth = has_ray ? 1.0 : 0.0;
 }

@@ -35,7 +35,7 @@ const std::vector<FrameImageRow>& table() {
        .format = kRgba16f,
        .channels = rgb,
        .folder = "gbuffer",
-       .clear = {0, 1, 0, 1},
+       .clear = {0, 1, 0, 0},  // alpha 0: background
        .upload_default = {1, 0, 1, 1}},
       {.name = "emission",
        .format = kRgba16f,

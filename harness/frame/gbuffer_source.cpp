@@ -1,6 +1,7 @@
 #include "frame/gbuffer_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
@@ -15,6 +16,21 @@ std::vector<Format> gbufferFormats() {
     formats.push_back(row.format);
   }
   return formats;
+}
+
+// With what gbuffer.frag writes beside the given channels: alpha 1 on surfaces, 0 for background.
+Image materialWithAlpha(const Image* given, const std::array<float, 4>& defaults, const Image& dist_view) {
+  Image material(dist_view.size, {"R", "G", "B", "A"});
+  for (int y = 0; y < material.size.height; ++y) {
+    for (int x = 0; x < material.size.width; ++x) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const bool is_given = given != nullptr && channel < given->channelCount();
+        material.at(x, y, channel) = is_given ? given->at(x, y, channel) : defaults[channel];
+      }
+      material.at(x, y, 3) = std::isinf(dist_view.at(x, y)) ? 0.0F : 1.0F;
+    }
+  }
+  return material;
 }
 
 Expected<void> uploadDepthWindow(Device& device, const Image& dist_view, const Camera& camera,
@@ -71,19 +87,24 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
 
 Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,
                              const Camera& camera, FrameImages& images) {
+  const Image& dist_view = gbuffer.at("dist_view");
   for (const FrameImageRow& row : gbufferImages()) {
     const auto image = images.get(row.name);
     if (!image) {
       return tl::make_unexpected(image.error());
     }
-    const auto given = gbuffer.find(row.name);
-    const auto done = given != gbuffer.end() ? uploadImage(device, **image, given->second, row.upload_default)
-                                             : fillImage(device, **image, row.upload_default);
+    const auto found = gbuffer.find(row.name);
+    const Image* const given = found != gbuffer.end() ? &found->second : nullptr;
+    const auto done =
+        row.name == "material"
+            ? uploadImage(device, **image, materialWithAlpha(given, row.upload_default, dist_view), {})
+        : given != nullptr ? uploadImage(device, **image, *given, row.upload_default)
+                           : fillImage(device, **image, row.upload_default);
     if (!done) {
       return done;
     }
   }
-  return uploadDepthWindow(device, gbuffer.at("dist_view"), camera, images);
+  return uploadDepthWindow(device, dist_view, camera, images);
 }
 
 void setCameraUniforms(UniformValues& values, const Camera& camera) {

@@ -68,8 +68,10 @@ bool trace_begin(out Ray ray, out RayHit hit) {
   vec3 normal = ordered_normalize(normal_and_clearance.xyz);
   ray = ray_reflected(vec2(texel) + 0.5, own_dist_view, normal, trace_projection(), trace_parameters());
   bool into_surface = ordered_dot(ray.dir_view, normal) < 0.0 || normal_and_clearance.a < 0.0;
-  hit = ray_without_hit(into_surface ? RAY_INTO_SURFACE : ray.end_class, 0, 0);
-  return !into_surface && ray.s_end > 0.0;
+  bool is_background = isinf(own_dist_view);
+  int end_class = into_surface ? RAY_INTO_SURFACE : ray.end_class;
+  hit = ray_without_hit(is_background ? RAY_BACKGROUND : end_class, 0, 0);
+  return !is_background && !into_surface && ray.s_end > 0.0;
 }
 
 void trace_end(RayHit hit) {

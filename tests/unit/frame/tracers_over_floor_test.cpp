@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "made_gbuffers.h"
@@ -28,6 +31,24 @@ TEST_P(TracersOverFloorTest, PixelsWithoutARaySayWhy) {
       EXPECT_EQ(above.texel_x, -1) << x;
       EXPECT_GT(record.at(x, kFloorSize.height - 1).lookups, 0U) << x;
     }
+  }
+}
+
+// A G-buffer of one's own may leave `material`'s alpha at 1 where there is nothing.
+TEST_P(TracersOverFloorTest, BackgroundThatIsTakenForASurfaceIsStillBackground) {
+  const std::filesystem::path everywhere =
+      std::filesystem::temp_directory_path() / fmt::format("ssrkit_everywhere_{}.frag", getpid());
+  std::ofstream(everywhere) << "#version 450\nlayout(location = 0) out uvec4 ray_work;\n"
+                               "void main() { ray_work = uvec4(0); gl_FragDepth = 1.0; }\n";
+  Job job = floorAndWall(kFloorSize, std::numeric_limits<double>::infinity());
+  job.replacements = {{.pass = "without_ray", .file = everywhere}};
+  const RayRecord record = trace(job, "walk", {}, "");
+  std::filesystem::remove(everywhere);
+  for (int x = 0; x < kFloorSize.width; ++x) {
+    const RayHit& above = record.at(x, kFloorSize.height / 4);
+    EXPECT_EQ(above.ray_class, RayClass::kBackground) << x;
+    EXPECT_EQ(above.lookups, 0U) << x;
+    EXPECT_EQ(above.texel_x, -1) << x;
   }
 }
 
