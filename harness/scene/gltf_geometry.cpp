@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <memory>
 #include <string>
@@ -19,7 +20,14 @@ namespace ssrkit {
 
 namespace {
 
-using TextureSet = std::array<int, 4>;
+// What a draw call holds fixed: its textures, and whether texels are cut out of it. A shadow caster's shader
+// discards or does not, by its range.
+struct DrawState {
+  std::array<int, 4> textures{};
+  bool is_cut_out = false;
+
+  auto operator<=>(const DrawState&) const = default;
+};
 
 // A moving mesh whose first vertex is counted from its group's.
 struct MovingRun {
@@ -105,9 +113,10 @@ class GeometryBuilder {
 
   std::size_t groupOf(int material_index) {
     const Material& material = materials_.materials[static_cast<std::size_t>(material_index)];
-    const TextureSet textures{material.base_colour_texture, material.metallic_roughness_texture,
-                              material.normal_texture, material.emissive_texture};
-    const auto [known, is_new] = group_indices_.emplace(textures, groups_.size());
+    const DrawState state{.textures = {material.base_colour_texture, material.metallic_roughness_texture,
+                                       material.normal_texture, material.emissive_texture},
+                          .is_cut_out = material.alpha_mode != AlphaMode::kOpaque};
+    const auto [known, is_new] = group_indices_.emplace(state, groups_.size());
     if (is_new) {
       groups_.push_back({material_index, {}});
     }
@@ -170,7 +179,7 @@ class GeometryBuilder {
   GltfDocument& document_;
   const GltfMaterials& materials_;
   std::map<std::pair<int, int>, std::shared_ptr<const MeshTriangles>> primitives_;
-  std::map<TextureSet, std::size_t> group_indices_;
+  std::map<DrawState, std::size_t> group_indices_;
   std::vector<Group> groups_;
   std::vector<MovingRun> moving_;
   std::size_t vertex_count_ = 0;

@@ -13,8 +13,8 @@
 namespace ssrkit {
 
 // Every mesh of the placed nodes as world-space triangles in `scene.vertices`, with one draw range for each
-// set of textures, in the order in which the file first uses it; those of moving nodes are listed in `moving`
-// too. Fails without a triangle and above kMaxVertices.
+// set of textures, with and without an alpha cutoff, in the order in which the file first uses it; those of
+// moving nodes are listed in `moving` too. Fails without a triangle and above kMaxVertices.
 [[nodiscard]] Expected<void> buildGeometry(GltfDocument& document, const GltfMaterials& materials,
                                            std::span<const PlacedNode> nodes, Scene& scene,
                                            std::vector<MovingMesh>& moving);

@@ -86,7 +86,8 @@ struct SceneCamera {
   int tree_node = -1;              // of the scene's motion, -1: it stands still
 };
 
-// The triangles that share one set of textures, in one run of vertices.
+// The triangles that share one set of textures, in one run of vertices: all of opaque materials, or all of
+// materials with an alpha cutoff. `material_index` is one of them.
 struct DrawRange {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;

@@ -219,6 +219,34 @@ TEST(GltfGeometry, SkinsAndMorphsAreNoted) {
   EXPECT_TRUE(hasNote(*scene, "1 primitive drawn without morph targets"));
 }
 
+// A shadow caster's shader discards, or does not, for all of a range.
+TEST(GltfGeometry, OpaqueAndCutOutMaterialsShareNoRange) {
+  for (const auto& [first, second] :
+       {std::pair{"OPAQUE", "BLEND"}, std::pair{"BLEND", "OPAQUE"}, std::pair{"OPAQUE", "MASK"}}) {
+    json root = triangleFile();
+    root["materials"] = {{{"alphaMode", first}}, {{"alphaMode", second}}, {{"alphaMode", first}}};
+    const json triangle = primitiveOf(root);
+    root["meshes"][0]["primitives"] = {triangle, triangle, triangle};
+    for (int i = 0; i < 3; ++i) {
+      root["meshes"][0]["primitives"][i]["material"] = i;
+    }
+    const auto scene = loadFile(root);
+    ASSERT_TRUE(scene) << sentence(scene.error());
+    ASSERT_EQ(scene->ranges.size(), 2U) << first;
+    EXPECT_EQ(scene->ranges[0].vertex_count, 6U) << "those of one kind stay together";
+    for (const DrawRange& range : scene->ranges) {
+      const auto is_opaque = [&](float material) {
+        return scene->materials[static_cast<std::size_t>(material)].alpha_mode == AlphaMode::kOpaque;
+      };
+      for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+        EXPECT_EQ(is_opaque(scene->vertices[range.first_vertex + i].material_index),
+                  is_opaque(static_cast<float>(range.material_index)))
+            << first << " before " << second;
+      }
+    }
+  }
+}
+
 TEST(GltfGeometry, OnlyTheDefaultSceneIsDrawn) {
   json root = triangleFile();
   root["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 5}}});
