@@ -8,7 +8,6 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::size_t kMaxLights = 8;  // of each kind, as in shaders/light.frag
 constexpr int kMaterialColumns = 3;
 
 struct TextureSlot {
@@ -168,8 +167,9 @@ SampledImage materialTexture(const SceneResources& resources, const Scene& scene
 }
 
 std::map<std::string, UniformConstant> lightConstants(const Scene& scene) {
-  return {{"directional_count", static_cast<int>(std::min(scene.directional_lights.size(), kMaxLights))},
-          {"point_count", static_cast<int>(std::min(scene.point_lights.size(), kMaxLights))}};
+  return {
+      {"directional_count", static_cast<int>(std::min(scene.directional_lights.size(), kMaxLightsOfAKind))},
+      {"point_count", static_cast<int>(std::min(scene.point_lights.size(), kMaxLightsOfAKind))}};
 }
 
 std::map<std::string, UniformConstant> textureConstants(const Scene& scene) {
@@ -187,9 +187,9 @@ void setLightUniforms(UniformValues& values, const Scene& scene, const glm::dmat
   values.set("up_view", rotation * glm::dvec3(0, 1, 0));
   values.set("sky_horizon", glm::dvec3(scene.sky_horizon));
   values.set("sky_zenith", glm::dvec3(scene.sky_zenith));
-  std::vector<glm::dvec4> directions(kMaxLights);
-  std::vector<glm::dvec4> radiances(kMaxLights);
-  const std::size_t directional_count = std::min(scene.directional_lights.size(), kMaxLights);
+  std::vector<glm::dvec4> directions(kMaxLightsOfAKind);
+  std::vector<glm::dvec4> radiances(kMaxLightsOfAKind);
+  const std::size_t directional_count = std::min(scene.directional_lights.size(), kMaxLightsOfAKind);
   for (std::size_t i = 0; i < directional_count; ++i) {
     const DirectionalLight& light = scene.directional_lights[i];
     directions[i] = glm::dvec4(rotation * light.direction_world, 0);
@@ -198,10 +198,10 @@ void setLightUniforms(UniformValues& values, const Scene& scene, const glm::dmat
   values.set("directional_count", static_cast<int>(directional_count));
   values.set("directional_dir_view", directions);
   values.set("directional_radiance", radiances);
-  std::vector<glm::dvec4> positions(kMaxLights);
-  std::vector<glm::dvec4> axes(kMaxLights);
-  std::vector<glm::dvec4> intensities(kMaxLights);
-  const std::size_t point_count = std::min(scene.point_lights.size(), kMaxLights);
+  std::vector<glm::dvec4> positions(kMaxLightsOfAKind);
+  std::vector<glm::dvec4> axes(kMaxLightsOfAKind);
+  std::vector<glm::dvec4> intensities(kMaxLightsOfAKind);
+  const std::size_t point_count = std::min(scene.point_lights.size(), kMaxLightsOfAKind);
   for (std::size_t i = 0; i < point_count; ++i) {
     const PointLight& light = scene.point_lights[i];
     positions[i] = glm::dvec4(glm::dvec3(view_from_world * glm::dvec4(light.p_world, 1)), light.range_m);

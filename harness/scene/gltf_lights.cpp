@@ -5,9 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/constants.hpp>
-#include <optional>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "base/text.h"
+#include "scene/clean_name.h"
 #include "scene/framing.h"
 
 namespace ssrkit {
@@ -25,6 +31,11 @@ const tinygltf::Light* lightOf(const tinygltf::Model& model, const tinygltf::Nod
   return index < model.lights.size() ? &model.lights[index] : nullptr;
 }
 
+std::string nameOf(const tinygltf::Light& light, const tinygltf::Node& node, int node_index) {
+  const std::string name = cleanName(light.name.empty() ? node.name : light.name);
+  return name.empty() ? fmt::format("that of node {}", node_index) : name;
+}
+
 glm::vec3 intensityOf(const tinygltf::Light& light) {
   constexpr double kMaxIntensity = 1e12;
   glm::vec3 colour(1.0F);
@@ -34,12 +45,7 @@ glm::vec3 intensityOf(const tinygltf::Light& light) {
   return colour * static_cast<float>(std::clamp(light.intensity, 0.0, kMaxIntensity));
 }
 
-void addLight(const tinygltf::Light& from, const PlacedNode& placed, Scene& scene) {
-  if (from.type == "directional") {
-    scene.directional_lights.push_back(
-        {aheadOf(placed.world_from_node), intensityOf(from), placed.tree_node});
-    return;
-  }
+PointLight pointLightOf(const tinygltf::Light& from, const PlacedNode& placed) {
   PointLight light;
   light.p_world = glm::dvec3(placed.world_from_node[3]);
   light.direction_world = aheadOf(placed.world_from_node);
@@ -52,32 +58,80 @@ void addLight(const tinygltf::Light& from, const PlacedNode& placed, Scene& scen
     light.inner_cone_cos = static_cast<float>(std::cos(inner));
     light.outer_cone_cos = static_cast<float>(std::cos(outer));
   }
-  scene.point_lights.push_back(light);
+  return light;
 }
 
 double brightest(const glm::vec3& colour) {
   return std::max({colour.r, colour.g, colour.b});
 }
 
-// What arrives in the middle of the scene, in lux.
-double illuminanceAtCentre(const Scene& scene) {
-  const BoundingSphere sphere = boundingSphere(scene);
+// What arrives of a light in the middle of the scene, in lux.
+double illuminanceAtCentre(const DirectionalLight& light, const BoundingSphere& /*scene*/) {
+  return brightest(light.radiance);
+}
+
+double illuminanceAtCentre(const PointLight& light, const BoundingSphere& scene) {
+  // A lamp inside the scene lights surfaces nearer than the centre.
+  const double distance = std::max(glm::distance(light.p_world, scene.centre), 0.5 * scene.radius_m);
+  return brightest(light.intensity) / std::max(distance * distance, 1e-12);
+}
+
+template <class Light>
+struct FoundLight {
+  std::string name;
+  Light light;
   double illuminance = 0.0;
-  for (const DirectionalLight& light : scene.directional_lights) {
-    illuminance += brightest(light.radiance);
+};
+
+// All of one kind, in the file's order.
+template <class Light>
+using FoundLights = std::vector<FoundLight<Light>>;
+
+std::string leftOutNote(std::vector<std::string> names, std::size_t found_count, const std::string& kind) {
+  constexpr std::size_t kMostNamed = 4;
+  const std::size_t count = names.size();
+  if (count > kMostNamed + 1) {
+    names.resize(kMostNamed);
+    names.push_back(fmt::format("{} more", count - kMostNamed));
   }
-  for (const PointLight& light : scene.point_lights) {
-    // A lamp inside the scene lights surfaces nearer than the centre.
-    const double distance = std::max(glm::distance(light.p_world, sphere.centre), 0.5 * sphere.radius_m);
-    illuminance += brightest(light.intensity) / std::max(distance * distance, 1e-12);
+  return fmt::format("{} of {} {} lights left out, the dimmest in the middle of the scene: {}.", count,
+                     found_count, kind, joinNames(names));
+}
+
+// As many as are drawn, the brightest, in the file's order: the first directional one casts the shadow.
+template <class Light>
+std::vector<Light> keepBrightest(const FoundLights<Light>& found, const std::string& kind, Scene& scene) {
+  std::vector<std::size_t> brightest_first(found.size());
+  std::iota(brightest_first.begin(), brightest_first.end(), std::size_t{0});
+  std::ranges::stable_sort(brightest_first, std::greater(),
+                           [&](std::size_t i) { return found[i].illuminance; });
+  brightest_first.resize(std::min(brightest_first.size(), kMaxLightsOfAKind));
+  std::vector<Light> kept;
+  std::vector<std::string> left_out;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (std::ranges::find(brightest_first, i) != brightest_first.end()) {
+      kept.push_back(found[i].light);
+    } else {
+      left_out.push_back(found[i].name);
+    }
   }
-  return illuminance;
+  if (!left_out.empty()) {
+    scene.notes.push_back(leftOutNote(std::move(left_out), found.size(), kind));
+  }
+  return kept;
 }
 
 void dimToImage(Scene& scene) {
   constexpr double kTooBright = 30.0;  // a white wall would be ten times as bright as white
   constexpr double kWanted = 3.0;
-  const double illuminance = illuminanceAtCentre(scene);
+  const BoundingSphere sphere = boundingSphere(scene);
+  double illuminance = 0.0;
+  for (const DirectionalLight& light : scene.directional_lights) {
+    illuminance += illuminanceAtCentre(light, sphere);
+  }
+  for (const PointLight& light : scene.point_lights) {
+    illuminance += illuminanceAtCentre(light, sphere);
+  }
   if (illuminance <= kTooBright) {
     return;
   }
@@ -95,12 +149,26 @@ void dimToImage(Scene& scene) {
 }  // namespace
 
 void buildLights(const GltfDocument& document, std::span<const PlacedNode> nodes, Scene& scene) {
+  const BoundingSphere sphere = boundingSphere(scene);
+  FoundLights<DirectionalLight> directional;
+  FoundLights<PointLight> points;
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = document.model->nodes[static_cast<std::size_t>(placed.node)];
-    if (const tinygltf::Light* light = lightOf(*document.model, node)) {
-      addLight(*light, placed, scene);
+    const tinygltf::Light* from = lightOf(*document.model, node);
+    if (from == nullptr) {
+      continue;
+    }
+    const std::string name = nameOf(*from, node, placed.node);
+    if (from->type == "directional") {
+      const DirectionalLight light{aheadOf(placed.world_from_node), intensityOf(*from), placed.tree_node};
+      directional.push_back({name, light, illuminanceAtCentre(light, sphere)});
+    } else {
+      const PointLight light = pointLightOf(*from, placed);
+      points.push_back({name, light, illuminanceAtCentre(light, sphere)});
     }
   }
+  scene.directional_lights = keepBrightest(directional, "directional", scene);
+  scene.point_lights = keepBrightest(points, "point and spot", scene);
   dimToImage(scene);
   if (!scene.directional_lights.empty()) {
     return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -58,6 +59,8 @@ struct Material {
   int emissive_texture = -1;            // sRGB
 };
 
+inline constexpr std::size_t kMaxLightsOfAKind = 8;  // as in shaders/light.frag and light_ggx.frag
+
 struct DirectionalLight {
   glm::dvec3 direction_world{0.0, -1.0, 0.0};  // the way the light travels, unit
   glm::vec3 radiance{1.0F};                    // colour times intensity
@@ -102,7 +105,8 @@ struct Scene {
   std::vector<DrawRange> ranges;
   std::vector<Material> materials;  // never empty
   std::vector<Texture> textures;
-  std::vector<DirectionalLight> directional_lights;  // never empty: a default light is added
+  // At most kMaxLightsOfAKind each. Of directional ones there is one at least: a default light is added.
+  std::vector<DirectionalLight> directional_lights;
   std::vector<PointLight> point_lights;
   std::vector<SceneCamera> cameras;            // never empty: a camera is framed when the file has none
   glm::vec3 sky_horizon{0.55F, 0.65F, 0.75F};  // linear colours of the background gradient

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "gltf_test_file.h"
 
 namespace ssrkit::test {
@@ -68,6 +71,65 @@ TEST(GltfLights, PhysicalIntensitiesAreDimmedWithANote) {
   ASSERT_TRUE(scene) << sentence(scene.error());
   EXPECT_NEAR(scene->directional_lights[0].radiance.x, 3.0F, 1e-5);
   EXPECT_TRUE(hasNote(*scene, "dimmed to 3e-05"));
+}
+
+// Lights of one kind in one place, of these intensities, named "lamp 0", "lamp 1", ...
+json withLights(const std::string& type, const std::vector<double>& intensities) {
+  json root = triangleFile();
+  root["extensionsUsed"] = {"KHR_lights_punctual"};
+  for (std::size_t i = 0; i < intensities.size(); ++i) {
+    root["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+        {{"type", type}, {"intensity", intensities[i]}, {"name", "lamp " + std::to_string(i)}});
+    json node = {{"translation", {0, 0, 5}}};
+    node["extensions"]["KHR_lights_punctual"]["light"] = i;
+    root["nodes"].push_back(node);
+    root["scenes"][0]["nodes"].push_back(i + 1);
+  }
+  return root;
+}
+
+TEST(GltfLights, TheBrightestEightOfAKindAreKeptInTheirOrder) {
+  const std::vector<double> intensities{1, 5, 0.25, 4, 3, 0.5, 2, 2, 2, 2};
+  auto scene = loadFile(withLights("directional", intensities));
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  std::vector<float> kept;
+  for (const DirectionalLight& light : scene->directional_lights) {
+    kept.push_back(light.radiance.x);
+  }
+  EXPECT_EQ(kept, (std::vector<float>{1, 5, 4, 3, 2, 2, 2, 2}));
+  EXPECT_TRUE(hasNote(*scene,
+                      "2 of 10 directional lights left out, the dimmest in the middle of the scene: "
+                      "lamp 2 and lamp 5."));
+
+  scene = loadFile(withLights("point", intensities));
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  ASSERT_EQ(scene->point_lights.size(), 8U);
+  EXPECT_EQ(scene->point_lights[2].intensity, glm::vec3(4));
+  EXPECT_TRUE(hasNote(*scene, "2 of 10 point and spot lights left out"));
+}
+
+TEST(GltfLights, WhatIsFarAwayIsDimmerThanWhatIsNear) {
+  json root = withLights("point", std::vector<double>(9, 2.0));
+  root["nodes"][1]["translation"] = {0, 0, 50};
+  const auto scene = loadFile(root);
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  EXPECT_TRUE(hasNote(*scene,
+                      "1 of 9 point and spot lights left out, the dimmest in the middle of the scene: "
+                      "lamp 0."));
+}
+
+TEST(GltfLights, ManyThatAreLeftOutAreCountedAndNotAllNamed) {
+  const auto scene = loadFile(withLights("point", std::vector<double>(20, 0.5)));
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  EXPECT_TRUE(hasNote(*scene, ": lamp 8, lamp 9, lamp 10, lamp 11 and 8 more."));
+}
+
+// 32 lux of the eight that are drawn, not 40 of all.
+TEST(GltfLights, OnlyThoseThatAreKeptDimTheOthers) {
+  const auto scene = loadFile(withLights("directional", std::vector<double>(10, 4.0)));
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  ASSERT_EQ(scene->directional_lights.size(), 8U);
+  EXPECT_FLOAT_EQ(scene->directional_lights[0].radiance.x, 4.0F * 3.0F / 32.0F);
 }
 
 TEST(GltfLights, ALightThatIsNotThereIsRefusedByPlace) {
