@@ -99,6 +99,39 @@ TEST(GltfMaterials, ATextureTransformMovesTheCoordinates) {
   EXPECT_NEAR(glm::distance(scene->vertices[1].uv, glm::vec2(1, -1)), 0.0, 1e-6);
 }
 
+TEST(GltfMaterials, ATextureTransformChoosesItsOwnSetOfCoordinates) {
+  json root = withMaterial(
+      {{"emissiveTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}}}}}}}});
+  root["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      addAccessor(root, bytesOf<float>({0, 9, 1, 9, 0, 8}), kFloat, 3, "VEC2");
+  const auto scene = loadFile(root);
+  ASSERT_TRUE(scene) << sentence(scene.error());
+  EXPECT_EQ(scene->vertices[1].uv, glm::vec2(1, 9));
+}
+
+TEST(GltfMaterials, ATextureTransformThatIsNoneIsRefusedByPlace) {
+  const auto refusalWith = [](const std::string& texture, const json& transform) {
+    const json info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+    const bool is_pbr = texture == "baseColorTexture" || texture == "metallicRoughnessTexture";
+    return refusalOf(
+        withMaterial(is_pbr ? json{{"pbrMetallicRoughness", {{texture, info}}}} : json{{texture, info}}));
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  for (const char* texture :
+       {"baseColorTexture", "metallicRoughnessTexture", "normalTexture", "emissiveTexture"}) {
+    const std::string place = std::string(texture) + ".extensions.KHR_texture_transform";
+    for (const json& set : {json(1e300), json(-1), json(1.5), json("1")}) {
+      const std::string refusal = refusalWith(texture, {{"texCoord", set}});
+      EXPECT_TRUE(holds(refusal, place + ".texCoord") && holds(refusal, "not a whole number")) << refusal;
+    }
+    EXPECT_TRUE(holds(refusalWith(texture, {{"offset", {1}}}), place + ".offset")) << texture;
+    EXPECT_TRUE(holds(refusalWith(texture, {{"scale", 2}}), place + ".scale")) << texture;
+    EXPECT_TRUE(holds(refusalWith(texture, {{"rotation", "half"}}), place + ".rotation")) << texture;
+  }
+}
+
 TEST(GltfMaterials, MaterialsWithTheSameTexturesShareARange) {
   json root = withMaterial({{"name", "red"}});
   root["materials"].push_back({{"name", "blue"}});
