@@ -83,16 +83,12 @@ class DefaultsReader {
                   nearest ? fmt::format("did you mean '{}'?", *nearest) : "the keys are " + joinNames(known));
   }
 
-  static Expected<void> setText(const DefaultsReader& self, const std::string& name, const toml::node& value,
-                                std::string& text) {
+  Expected<void> setText(const std::string& name, const toml::node& value, std::string& text) const {
     if (!value.is_string()) {
-      return self.refuse(value.source(), fmt::format("'{}' must be text in quotes", name));
+      return refuse(value.source(), fmt::format("'{}' must be text in quotes", name));
     }
     text = value.as_string()->get();
     return {};
-  }
-  Expected<void> setText(const std::string& name, const toml::node& value, std::string& text) const {
-    return setText(*this, name, value, text);
   }
 
   Expected<void> setTraceParameter(const std::string& name, const toml::node& value) {
