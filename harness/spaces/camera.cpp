@@ -25,6 +25,26 @@ bool isPerspective(const glm::dmat4& p) {
          p[1][0] == 0.0 && p[3][0] == 0.0 && p[3][1] == 0.0 && p[0][2] == 0.0 && p[1][2] == 0.0;
 }
 
+bool isAffine(const glm::dmat4& matrix) {
+  constexpr double kTolerance = 1e-6;
+  return std::abs(matrix[0][3]) <= kTolerance && std::abs(matrix[1][3]) <= kTolerance &&
+         std::abs(matrix[2][3]) <= kTolerance && std::abs(matrix[3][3] - 1.0) <= kTolerance;
+}
+
+bool isRigid(const glm::dmat4& matrix) {
+  constexpr double kTolerance = 1e-3;
+  const glm::dmat3 turn(matrix);
+  const glm::dmat3 off = glm::transpose(turn) * turn - glm::dmat3(1.0);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!(std::abs(off[column][row]) <= kTolerance)) {
+        return false;
+      }
+    }
+  }
+  return isAffine(matrix);
+}
+
 }  // namespace
 
 PixelProjection pixelProjection(const Camera& camera) {
@@ -61,8 +81,10 @@ Expected<void> validate(const Camera& camera, const std::string& attempted) {
     return inputError(attempted, "clip_from_view is not a perspective projection with clip.w = -z", "",
                       "orthographic cameras are not supported, use a perspective one");
   }
-  if (camera.clip_from_view[0][0] == 0.0 || camera.clip_from_view[1][1] == 0.0) {
-    return inputError(attempted, "clip_from_view is singular");
+  const glm::dmat4& p = camera.clip_from_view;
+  if (p[0][0] == 0.0 || p[1][1] == 0.0 || p[3][2] == 0.0) {
+    return inputError(attempted, "clip_from_view is singular", "",
+                      "row 0, column 0; row 1, column 1; and row 2, column 3 must not be 0");
   }
   if (glm::determinant(glm::dmat3(camera.view_from_world)) == 0.0) {
     return inputError(attempted, "view_from_world is singular", "",
@@ -75,13 +97,25 @@ Expected<void> validate(const Camera& camera, const std::string& attempted) {
   return {};
 }
 
-double distViewFromDepthWindow(const Camera& camera, double depth_window) {
-  // depth = (P22 z + P32) / -z with z = -dist.
-  const glm::dmat4& p = camera.clip_from_view;
-  return p[3][2] / (depth_window + p[2][2]);
+Expected<void> validateRigid(const Camera& camera, const std::string& attempted) {
+  const auto check = [&](const char* name, const glm::dmat4& matrix) -> Expected<void> {
+    if (isRigid(matrix)) {
+      return {};
+    }
+    return inputError(attempted, fmt::format("{} is not a rotation with a shift", name), "",
+                      isAffine(matrix)
+                          ? "its first three columns must be of length 1 and at right angles: the "
+                            "camera has no scale"
+                          : "its last row must be 0 0 0 1");
+  };
+  const auto now = check("view_from_world", camera.view_from_world);
+  return now && camera.previous_view_from_world
+             ? check("previous_view_from_world", *camera.previous_view_from_world)
+             : now;
 }
 
 double depthWindowFromDistView(const Camera& camera, double dist_view) {
+  // depth = (P22 z + P32) / -z with z = -dist.
   const glm::dmat4& p = camera.clip_from_view;
   return p[3][2] / dist_view - p[2][2];
 }

@@ -15,8 +15,8 @@ namespace ssrkit {
 
 struct Camera {
   Size size;
-  glm::dmat4 clip_from_view{1.0};                           // perspective: clip.w = dist_view
-  glm::dmat4 view_from_world{1.0};                          // rigid
+  glm::dmat4 clip_from_view{1.0};   // perspective: clip.w = dist_view
+  glm::dmat4 view_from_world{1.0};  // rigid, but for views mirrored or scaled on purpose
   std::optional<glm::dmat4> previous_view_from_world = {};  // in the previous frame; absent: as now
   double near_m = 0.1;
   double far_m = 1000.0;
@@ -36,11 +36,16 @@ struct PixelProjection {
 [[nodiscard]] glm::dmat4 perspective(double fov_y_rad, double aspect, double near_m, double far_m);
 
 // Refuses what no tracer can use: size outside 1..16384, non-finite numbers, an orthographic or singular
-// projection, near_m <= 0, far_m <= near_m. `attempted` starts the error's sentence.
+// projection, a singular view_from_world, near_m <= 0, far_m <= near_m. `attempted` starts the error's
+// sentence.
 [[nodiscard]] Expected<void> validate(const Camera& camera, const std::string& attempted);
 
-// dist_view of a stored depth (0..1) and back.
-[[nodiscard]] double distViewFromDepthWindow(const Camera& camera, double depth_window);
+// Refuses a view_from_world, now or in the previous frame, that changes lengths or angles by more than a
+// thousandth: other programs write 32-bit numbers, and few of their digits. A mirrored one is the view of a
+// left-handed world.
+[[nodiscard]] Expected<void> validateRigid(const Camera& camera, const std::string& attempted);
+
+// The stored depth (0..1) of a dist_view.
 [[nodiscard]] double depthWindowFromDistView(const Camera& camera, double dist_view);
 
 }  // namespace ssrkit

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace ssrkit {
 
@@ -79,6 +80,20 @@ std::string readSize(const ordered_json& json, Size& size) {
   return {};
 }
 
+// A renderer need not say what it writes; what it says must be true.
+std::string checkSchema(const ordered_json& json) {
+  if (!json.is_object()) {
+    return "the file is not a JSON object";
+  }
+  if (const auto schema = json.find("schema"); schema != json.end() && *schema != kSchema) {
+    return fmt::format("its 'schema' is not \"{}\"", kSchema);
+  }
+  if (const auto version = json.find("version"); version != json.end() && *version != kVersion) {
+    return fmt::format("its 'version' is not {}, the only one that is read", kVersion);
+  }
+  return {};
+}
+
 std::string readPrevious(const ordered_json& json, std::optional<glm::dmat4>& previous_view_from_world) {
   const char* const key = "previous_view_from_world";
   return json.contains(key) ? readMatrix(json, key, previous_view_from_world.emplace()) : "";
@@ -113,10 +128,8 @@ Expected<Camera> cameraFromJson(std::string_view text, const std::string& where)
   } catch (const ordered_json::exception& error) {
     return inputError(attempted, printable(error.what()), where, "write it as JSON, see docs/formats.md");
   }
-  const auto schema = json.is_object() ? json.find("schema") : json.end();
-  if (schema == json.end() || *schema != kSchema) {
-    return inputError(attempted, fmt::format("the file does not say \"schema\": \"{}\"", kSchema), where,
-                      "see docs/formats.md");
+  if (std::string problem = checkSchema(json); !problem.empty()) {
+    return inputError(attempted, std::move(problem), where, "see docs/formats.md");
   }
   Camera camera;
   for (const std::string& problem :
@@ -128,7 +141,9 @@ Expected<Camera> cameraFromJson(std::string_view text, const std::string& where)
       return inputError(attempted, problem, where, "see docs/formats.md");
     }
   }
-  if (const auto valid = validate(camera, attempted); !valid) {
+  auto valid = validate(camera, attempted);
+  valid = valid ? validateRigid(camera, attempted) : valid;
+  if (!valid) {
     Error error = valid.error();
     error.where = where;
     return tl::make_unexpected(std::move(error));

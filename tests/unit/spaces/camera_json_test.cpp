@@ -37,13 +37,14 @@ TEST(CameraJson, GoesThereAndBackBitForBit) {
 TEST(CameraJson, KeepsThePreviousPlaceWhereThereIsOne) {
   Camera camera = someCamera();
   EXPECT_FALSE(cameraFromJson(toJson(camera), "camera.json")->previous_view_from_world.has_value());
-  camera.previous_view_from_world = glm::dmat4(0.8125);
+  camera.previous_view_from_world = camera.view_from_world;
+  (*camera.previous_view_from_world)[3].y = 0.8125;
   EXPECT_EQ(cameraFromJson(toJson(camera), "camera.json")->previous_view_from_world,
             camera.previous_view_from_world);
   const std::string spoilt = replaced(toJson(camera), "0.8125", "\"x\"");
   const auto read = cameraFromJson(spoilt, "camera.json");
   ASSERT_FALSE(read.has_value());
-  EXPECT_NE(sentence(read.error()).find("row 0, column 0 of 'previous_view_from_world' is not a number"),
+  EXPECT_NE(sentence(read.error()).find("row 1, column 3 of 'previous_view_from_world' is not a number"),
             std::string::npos)
       << sentence(read.error());
 }
@@ -54,6 +55,21 @@ TEST(CameraJson, WritesMatricesRowByRow) {
   const std::size_t rows = text.find("\"view_from_world\"");
   const std::size_t first_end = text.find("0.1", rows);
   EXPECT_LT(first_end, text.find("-0.6666666666666666", rows));
+}
+
+// As docs/formats.md lists the keys, and no more.
+TEST(CameraJson, NeedsNeitherSchemaNorVersion) {
+  std::string text = replaced(toJson(someCamera()), "\"schema\": \"ssrkit.camera\",", "");
+  text = replaced(text, "\"version\": 1,", "");
+  const auto read = cameraFromJson(text, "camera.json");
+  ASSERT_TRUE(read.has_value()) << sentence(read.error());
+  EXPECT_EQ(read->clip_from_view, someCamera().clip_from_view);
+}
+
+Camera scaledCamera() {
+  Camera camera = someCamera();
+  camera.view_from_world[0] *= 2.0;
+  return camera;
 }
 
 struct BadJson {
@@ -77,8 +93,13 @@ INSTANTIATE_TEST_SUITE_P(
     Each, CameraJsonRefuses,
     testing::Values(
         BadJson{"empty", "", "parse error"}, BadJson{"no_json", "{\"size\": ", "parse error"},
-        BadJson{"an_array", "[]", "schema"},
-        BadJson{"other_schema", replaced(toJson(someCamera()), "ssrkit.camera", "x"), "schema"},
+        BadJson{"an_array", "[]", "not a JSON object"},
+        BadJson{"other_schema", replaced(toJson(someCamera()), "ssrkit.camera", "x"), "'schema' is not"},
+        BadJson{"later_version", replaced(toJson(someCamera()), "\"version\": 1", "\"version\": 2"),
+                "'version' is not 1"},
+        BadJson{"version_in_quotes", replaced(toJson(someCamera()), "\"version\": 1", "\"version\": \"1\""),
+                "'version' is not 1"},
+        BadJson{"scaled_camera", toJson(scaledCamera()), "view_from_world is not a rotation"},
         BadJson{"size_of_one", replaced(toJson(someCamera()), "640,\n    360", "640"), "'size'"},
         BadJson{"negative_size", replaced(toJson(someCamera()), "640", "-640"), "the size 0x360"},
         BadJson{"huge_size", replaced(toJson(someCamera()), "640", "99999999999"), "the size 0x360"},

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <string>
 
 namespace ssrkit {
 namespace {
@@ -55,13 +57,6 @@ TEST(Perspective, StoresTheDepthThatTheFormulaGives) {
   EXPECT_NEAR(depthWindowFromDistView(squareCamera(), 10.0), 100.0 * 9.9 / (10.0 * 99.9), 1e-15);
 }
 
-TEST(Perspective, DepthGoesThereAndBack) {
-  const Camera camera = squareCamera();
-  for (const double dist : {0.1, 0.5, 7.0, 99.0}) {
-    EXPECT_NEAR(distViewFromDepthWindow(camera, depthWindowFromDistView(camera, dist)), dist, 1e-11 * dist);
-  }
-}
-
 struct BadCamera {
   const char* name;
   void (*spoil)(Camera&);
@@ -92,10 +87,56 @@ INSTANTIATE_TEST_SUITE_P(
                     c.clip_from_view[3][3] = 1.0;
                   },
                   "orthographic cameras are not supported"},
-        BadCamera{"singular", [](Camera& c) { c.clip_from_view[1][1] = 0.0; }, "singular"},
+        BadCamera{"singular", [](Camera& c) { c.clip_from_view[1][1] = 0.0; }, "clip_from_view is singular"},
+        BadCamera{"no_depth", [](Camera& c) { c.clip_from_view[3][2] = 0.0; }, "clip_from_view is singular"},
+        BadCamera{"flat", [](Camera& c) { c.view_from_world[1] = glm::dvec4(0.0); },
+                  "view_from_world is singular"},
         BadCamera{"near_zero", [](Camera& c) { c.near_m = 0.0; }, "0 < near_m < far_m"},
         BadCamera{"far_before_near", [](Camera& c) { c.far_m = 0.05; }, "0 < near_m < far_m"}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
+
+// A turn about an axis that is none of the world's, with a shift.
+glm::dmat4 someView() {
+  return glm::translate(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1.0, 2.0, -0.5))),
+                        glm::dvec3(10.0, -3.0, 250.0));
+}
+
+glm::dmat4 rounded(glm::dmat4 matrix, double unit) {
+  for (int column = 0; column < 4; ++column) {
+    matrix[column] = unit * glm::round(matrix[column] / unit);
+  }
+  return matrix;
+}
+
+std::string rigidProblem(const glm::dmat4& view_from_world) {
+  Camera camera = squareCamera();
+  camera.view_from_world = view_from_world;
+  const auto rigid = validateRigid(camera, "read the camera");
+  return rigid ? "" : sentence(rigid.error());
+}
+
+TEST(ValidateRigid, AcceptsTurnsAndShiftsOfFewDigits) {
+  EXPECT_EQ(rigidProblem(someView()), "");
+  EXPECT_EQ(rigidProblem(glm::dmat4(glm::mat4(someView()))), "") << "32-bit numbers";
+  EXPECT_EQ(rigidProblem(rounded(someView(), 1e-4)), "") << "four decimals";
+  EXPECT_EQ(rigidProblem(glm::scale(someView(), {1.0, 1.0, -1.0})), "") << "a left-handed world";
+}
+
+TEST(ValidateRigid, RefusesScaleShearAndProjection) {
+  const char* const kNotRigid = "view_from_world is not a rotation with a shift";
+  for (const glm::dmat4& change : {glm::scale(glm::dmat4(1.0), {2.0, 2.0, 2.0}),
+                                   glm::scale(glm::dmat4(1.0), {1.0, 1.0, 1.01}), glm::dmat4(0.0)}) {
+    EXPECT_NE(rigidProblem(change * someView()).find(kNotRigid), std::string::npos);
+  }
+  glm::dmat4 sheared = someView();
+  sheared[0] += 0.1 * sheared[1];
+  EXPECT_NE(rigidProblem(sheared).find(kNotRigid), std::string::npos);
+  glm::dmat4 transposed = glm::transpose(someView());  // column-major numbers read as rows
+  EXPECT_NE(rigidProblem(transposed).find("last row must be 0 0 0 1"), std::string::npos);
+  Camera camera = squareCamera();
+  camera.previous_view_from_world = glm::dmat4(2.0);
+  EXPECT_FALSE(validateRigid(camera, "read").has_value());
+}
 
 TEST(ValidateCamera, AcceptsTheCanonicalOne) {
   EXPECT_TRUE(validate(squareCamera(), "read").has_value());
