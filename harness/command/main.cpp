@@ -84,7 +84,8 @@ void addMutate(CLI::App& app, MutateOptions& options, Command& command) {
 void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command) {
   CLI::App* compile =
       app.add_subcommand("compile", "Show what the compiler says about one shader, for both APIs");
-  compile->add_option("file", options.file, "A .vert or .frag file")->required();
+  compile->add_option("file", options.file, "A .vert, .frag or .glsl file; the last is a fragment shader")
+      ->required();
   compile->add_flag("--optimise", options.optimise, "Run spirv-opt -O too");
   compile->add_flag("--json", options.json, "Print JSON");
   compile->callback([&] {

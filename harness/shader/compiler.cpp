@@ -139,6 +139,9 @@ Expected<ShaderModule> buildIsolated(const Task& task) {
 Expected<ShaderStage> stageOfFile(const std::filesystem::path& path) {
   const bool ends_in_glsl = path.extension() == ".glsl";
   const std::filesystem::path extension = ends_in_glsl ? path.stem().extension() : path.extension();
+  if (ends_in_glsl && extension.empty()) {
+    return ShaderStage::kFragment;  // as --replace takes it
+  }
   if (extension == ".vert") {
     return ShaderStage::kVertex;
   }
@@ -146,7 +149,8 @@ Expected<ShaderStage> stageOfFile(const std::filesystem::path& path) {
     return ShaderStage::kFragment;
   }
   return inputError(fmt::format("tell the stage of the shader '{}'", path.filename().string()),
-                    "its name ends neither in .vert nor in .frag", {}, "rename it");
+                    "its name says neither a vertex nor a fragment shader", {},
+                    "name it NAME.vert, NAME.frag or NAME.glsl, which is a fragment shader");
 }
 
 Expected<ShaderModule> compileShader(const ShaderSource& source, ShaderTarget target,

@@ -51,7 +51,7 @@ struct CompileOptions {
   bool use_cache = true;
 };
 
-// By the extension: .vert or .frag, or either before .glsl (a.frag.glsl).
+// By the extension: .vert or .frag, or either before .glsl (a.frag.glsl). A bare .glsl is a fragment shader.
 [[nodiscard]] Expected<ShaderStage> stageOfFile(const std::filesystem::path& path);
 
 // Compiles, validates for the target's environment (spirv-val) and reflects. Errors name the author's file,

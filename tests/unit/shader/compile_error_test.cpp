@@ -132,7 +132,9 @@ TEST(StageOfFile, IsToldByTheExtension) {
   EXPECT_EQ(stageOfFile("a/b.vert").value(), ShaderStage::kVertex);
   EXPECT_EQ(stageOfFile("b.frag").value(), ShaderStage::kFragment);
   EXPECT_EQ(stageOfFile("b.frag.glsl").value(), ShaderStage::kFragment);
-  EXPECT_FALSE(stageOfFile("b.glsl"));
+  EXPECT_EQ(stageOfFile("a/b.vert.glsl").value(), ShaderStage::kVertex);
+  EXPECT_EQ(stageOfFile("b.glsl").value(), ShaderStage::kFragment) << "what --replace takes";
+  EXPECT_FALSE(stageOfFile("b.comp.glsl"));
   EXPECT_FALSE(stageOfFile("b.comp"));
   EXPECT_FALSE(stageOfFile("frag"));
 }
