@@ -25,7 +25,6 @@ struct ImageCodec {
   // `image` has the size and channels to be read; its data is filled.
   std::string (*decodeExr)(const std::string& file, Image& image);
   std::string (*encodePng)(const ByteImage& image, std::vector<unsigned char>& bytes);
-  std::string (*decodePng)(const std::string& file, ByteImage& image);  // 1 to 4 channels
   Glyph (*renderGlyph)(char character, int height_px, const std::string& font_file);
 };
 

@@ -6,7 +6,6 @@ extern "C" const ssrkit::ImageCodec* ssrkitImageCodec() {
   static const ssrkit::ImageCodec codec{.encodeExr = ssrkit::encodeExr,
                                         .decodeExr = ssrkit::decodeExr,
                                         .encodePng = ssrkit::encodePng,
-                                        .decodePng = ssrkit::decodePng,
                                         .renderGlyph = ssrkit::renderGlyph};
   return &codec;
 }

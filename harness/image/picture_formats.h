@@ -18,7 +18,6 @@ namespace ssrkit {
 
 // png_format.cpp: libpng.
 [[nodiscard]] std::string encodePng(const ByteImage& image, std::vector<unsigned char>& bytes);
-[[nodiscard]] std::string decodePng(const std::string& file, ByteImage& image);
 
 // glyph_format.cpp: FreeType.
 [[nodiscard]] Glyph renderGlyph(char character, int height_px, const std::string& font_file);

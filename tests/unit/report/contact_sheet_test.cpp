@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../temporary_folder.h"
+#include "base/atomic_file.h"
 #include "image/png.h"
 #include "report/run_report.h"
 #include "report/verdict_colours.h"
@@ -121,7 +122,10 @@ TEST(ContactSheet, IsWrittenAsPng) {
   const testing::TemporaryFolder folder;
   const SheetData data = dataOf({64, 48}, 4);
   ASSERT_TRUE(writeContactSheet(folder / "sheet.png", data.sheet, painter));
-  EXPECT_EQ(readPng(folder / "sheet.png").value().data, drawContactSheet(data.sheet, painter).data);
+  ASSERT_TRUE(writePng(folder / "drawn.png", drawContactSheet(data.sheet, painter)));
+  const std::string written = readFile(folder / "sheet.png").value();
+  EXPECT_TRUE(written.starts_with("\x89PNG"));
+  EXPECT_EQ(written, readFile(folder / "drawn.png").value());
 }
 
 }  // namespace
