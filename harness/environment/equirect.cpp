@@ -81,12 +81,6 @@ glm::vec2 equirectFromDirection(glm::vec3 direction, Size size) {
   return {turn * static_cast<float>(size.width), fall * static_cast<float>(size.height)};
 }
 
-glm::vec3 directionFromEquirect(glm::vec2 position, Size size) {
-  const float azimuth = (position.x / static_cast<float>(size.width) - 0.5F) * 2.0F * kPi;
-  const float polar = position.y / static_cast<float>(size.height) * kPi;
-  return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
-}
-
 glm::vec3 sampleEquirect(const Image& image, glm::vec3 direction) {
   const glm::vec2 position = equirectFromDirection(direction, image.size) - 0.5F;
   const glm::vec2 cell = glm::floor(position);

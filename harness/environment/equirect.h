@@ -21,9 +21,8 @@ inline constexpr std::size_t kMaxEquirectBytes = std::size_t{1} << 30;
 // or over 65504, the largest radiance that the frame's half-precision images hold.
 [[nodiscard]] Expected<Image> readEquirect(const std::filesystem::path& file);
 
-// Position on the image, in texels from its upper left corner, of a unit direction in world space; and back.
+// Position on the image, in texels from its upper left corner, of a unit direction in world space.
 [[nodiscard]] glm::vec2 equirectFromDirection(glm::vec3 direction, Size size);
-[[nodiscard]] glm::vec3 directionFromEquirect(glm::vec2 position, Size size);
 
 // Bilinear, around the seam; the poles' rows are not mixed across the pole.
 [[nodiscard]] glm::vec3 sampleEquirect(const Image& image, glm::vec3 direction);
