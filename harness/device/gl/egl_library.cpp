@@ -24,12 +24,12 @@ Expected<EglLibrary> loadEgl() {
     return setupError(kAttempted, reason != nullptr ? reason : "it cannot be loaded", kLibrary, kInstall);
   }
   EglLibrary egl;
-  if (!find(library, "eglInitialize", egl.initialize) || !find(library, "eglTerminate", egl.terminate) ||
-      !find(library, "eglBindAPI", egl.bind_api) || !find(library, "eglCreateContext", egl.create_context) ||
+  if (!find(library, "eglInitialize", egl.initialize) || !find(library, "eglBindAPI", egl.bind_api) ||
+      !find(library, "eglCreateContext", egl.create_context) ||
       !find(library, "eglDestroyContext", egl.destroy_context) ||
       !find(library, "eglMakeCurrent", egl.make_current) ||
       !find(library, "eglGetCurrentContext", egl.current_context) ||
-      !find(library, "eglGetError", egl.last_error) || !find(library, "eglQueryString", egl.query_string) ||
+      !find(library, "eglGetError", egl.last_error) ||
       !find(library, "eglGetPlatformDisplay", egl.platform_display) ||
       !find(library, "eglGetProcAddress", egl.procedure)) {
     return setupError(kAttempted, "the library is older than EGL 1.5", kLibrary, kInstall);

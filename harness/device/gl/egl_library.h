@@ -10,14 +10,12 @@ namespace ssrkit {
 
 struct EglLibrary {
   decltype(&eglInitialize) initialize = nullptr;
-  decltype(&eglTerminate) terminate = nullptr;
   decltype(&eglBindAPI) bind_api = nullptr;
   decltype(&eglCreateContext) create_context = nullptr;
   decltype(&eglDestroyContext) destroy_context = nullptr;
   decltype(&eglMakeCurrent) make_current = nullptr;
   decltype(&eglGetCurrentContext) current_context = nullptr;
   decltype(&eglGetError) last_error = nullptr;
-  decltype(&eglQueryString) query_string = nullptr;
   decltype(&eglGetPlatformDisplay) platform_display = nullptr;
   decltype(&eglGetProcAddress) procedure = nullptr;
   PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;  // these two are extensions: may be null
