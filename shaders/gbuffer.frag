@@ -8,6 +8,8 @@
 //      dist_view  metres (background: +inf, by the clear)
 //      motion     pixels: p_px now minus p_px of the same surface point in the previous frame; +inf where the point was
 //                 not before the near plane then (background: 0, by the clear)
+//      dist_range level 0 of the depth pyramid, least and greatest dist_view (background: +inf and 0, by the clear):
+//                 rasterised here it is copied, not drawn anew from dist_view (pyramid_base.frag)
 #version 450
 #include "material_flags.glsl"
 #include "ssr_motion.glsl"
@@ -42,6 +44,7 @@ layout(location = 2) out vec4 material;
 layout(location = 3) out vec4 emission;
 layout(location = 4) out float dist_view;
 layout(location = 5) out vec2 motion;
+layout(location = 6) out vec2 dist_range;
 
 // Shading normal in view space, turned with the face (side is -1 on the back of a double-sided triangle).
 vec3 shading_normal(float side, float normal_scale, bool is_mapped) {
@@ -76,5 +79,6 @@ void main() {
   bool has_emissive = has_emissive_texture != 0 && material_has(surface, MATERIAL_EMISSIVE_TEXTURE);
   emission = vec4(emissive_and_scale.rgb * (has_emissive ? texture(emissive_texture, uv).rgb : vec3(1.0)), 1.0);
   dist_view = -p_view.z;
+  dist_range = vec2(dist_view);
   motion = motion_px(p_view, p_previous_view, px_scale_and_near.xy, px_scale_and_near.z);
 }

@@ -25,9 +25,7 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
   drawing.scene_ = scene;
   if (scene != nullptr) {
     progress("compile gbuffer");
-    PassRow gbuffer = gbufferPass();
-    gbuffer.constants = textureConstants(scene->scene);
-    const auto program = programs.get(gbuffer, settings);
+    const auto program = programs.get(gbufferPassFor(settings, scene->scene), settings);
     if (!program) {
       return tl::make_unexpected(program.error());
     }

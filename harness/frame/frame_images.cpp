@@ -49,6 +49,8 @@ const std::vector<FrameImageRow>& table() {
        .folder = "gbuffer",
        .clear = {kBackground, 0, 0, 0}},
       {.name = "motion", .format = kRg32f, .channels = {"X", "Y"}, .folder = "gbuffer"},
+      // What it writes beside them: level 0 of the depth pyramid (frame/pyramid.h).
+      {.name = "dist_range", .format = kRg32f, .clear = {kBackground, 0, 0, 0}},
       {.name = "depth_window",
        .format = kD32f,
        .channels = {"Z"},

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
+#include "frame/pyramid.h"
 
 namespace ssrkit {
 
@@ -15,6 +19,7 @@ std::vector<Format> gbufferFormats() {
   for (const FrameImageRow& row : gbufferImages()) {
     formats.push_back(row.format);
   }
+  formats.push_back(frameImageRow("dist_range").format);
   return formats;
 }
 
@@ -62,6 +67,15 @@ const PassRow& gbufferPass() {
   return row;
 }
 
+PassRow gbufferPassFor(const CompileSettings& settings, const Scene& scene) {
+  PassRow row = gbufferPass();
+  row.constants = textureConstants(scene);
+  if (settings.replacements.contains(row.name) || settings.replacements.contains(pyramidBasePass().name)) {
+    row.colour_formats.pop_back();
+  }
+  return row;
+}
+
 Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Scene& scene,
                                const SceneResources& resources, FrameImages& images,
                                const UniformValues& values) {
@@ -70,12 +84,19 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
                     .colour = {},
                     .depth = {},
                     .viewport = {0, 0, images.size().width, images.size().height}};
-  for (const FrameImageRow& row : gbufferImages()) {
-    const auto image = images.get(row.name);
+  std::vector<std::string> names;
+  std::ranges::transform(gbufferImages(), std::back_inserter(names), &FrameImageRow::name);
+  if (program.target_count > names.size()) {
+    names.emplace_back("dist_range");
+  } else {
+    images.drop("dist_range");  // an earlier frame's
+  }
+  for (const std::string& name : names) {
+    const auto image = images.get(name);
     if (!image) {
       return tl::make_unexpected(image.error());
     }
-    pass.colour.push_back({*image, 0, row.clear});
+    pass.colour.push_back({*image, 0, frameImageRow(name).clear});
   }
   const auto depth = images.get("depth_window");
   if (!depth) {
@@ -88,6 +109,7 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
 Expected<void> uploadGbuffer(Device& device, const std::map<std::string, Image>& gbuffer,
                              const Camera& camera, FrameImages& images) {
   const Image& dist_view = gbuffer.at("dist_view");
+  images.drop("dist_range");  // an earlier scene's
   for (const FrameImageRow& row : gbufferImages()) {
     const auto image = images.get(row.name);
     if (!image) {

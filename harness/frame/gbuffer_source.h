@@ -15,9 +15,15 @@
 
 namespace ssrkit {
 
+// Its last target is `dist_range`.
 [[nodiscard]] const PassRow& gbufferPass();
 
-// Draws the scene into the G-buffer images.
+// As a scene's frame draws it. In the place of `pyramid_base` or of itself by a shader of one's own it has no
+// `dist_range`: the pyramid's base is drawn from dist_view then, and nobody's G-buffer shader needs to know
+// of pyramids.
+[[nodiscard]] PassRow gbufferPassFor(const CompileSettings& settings, const Scene& scene);
+
+// Draws the scene into the G-buffer images, and into `dist_range` where the program's pass has it.
 [[nodiscard]] Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Scene& scene,
                                              const SceneResources& resources, FrameImages& images,
                                              const UniformValues& values);

@@ -133,7 +133,8 @@ Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& set
   Program program{.shader = shader,
                   .device_program = {},
                   .samplers = vertex->interface.samplers,
-                  .uniform_block = *block};
+                  .uniform_block = *block,
+                  .target_count = pass.colour_formats.size()};
   program.samplers.insert(program.samplers.end(), fragment->interface.samplers.begin(),
                           fragment->interface.samplers.end());
   ProgramDesc desc{.name = pass.name,

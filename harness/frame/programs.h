@@ -39,6 +39,7 @@ struct Program {
   std::unique_ptr<DeviceProgram> device_program;
   std::vector<SamplerBinding> samplers;       // of both stages
   std::optional<UniformBlock> uniform_block;  // at most one
+  std::size_t target_count = 0;               // colour images that it draws to
 };
 
 struct CompileSettings {

@@ -11,21 +11,95 @@ namespace ssrkit {
 namespace {
 
 constexpr int kMaxImageSide = 16384;
-
-// Draws level `level` into `target` from `finer`, of which only the mip below is seen.
-Expected<PassTime> drawLevel(Device& device, const PyramidPrograms& programs, const Attachment& target,
-                             Size size, const SampledImage& finer, const FrameImages& images,
-                             const UniformValues& values) {
-  return drawFullScreen(device, *programs.reduce,
-                        {.row = &pyramidReducePass(),
-                         .targets = {target},
-                         .viewport = {0, 0, size.width, size.height},
-                         .aliases = {{"finer", finer}}},
-                        images, values);
-}
+constexpr PassTime kNoTime{.wall_ns = 0, .cpu_ns = 0, .device_ns = 0};
 
 Size levelSize(Size padded, int level) {
   return {padded.width >> level, padded.height >> level};
+}
+
+Expected<PassTime> drawBase(Device& device, const Program& program, DeviceImage& base, const Rect& texels,
+                            const std::string& source, const FrameImages& images,
+                            const UniformValues& values) {
+  if (texels.width == 0 || texels.height == 0) {
+    return kNoTime;
+  }
+  return drawFullScreen(device, program,
+                        {.row = &pyramidBasePass(),
+                         .targets = {{&base, 0, std::nullopt}},
+                         .viewport = texels,
+                         .aliases = {{"dist_view", images.sampled(source)}}},
+                        images, values);
+}
+
+Expected<PassTime> copyTimed(Device& device, const DeviceImage& from, int mip, DeviceImage& to,
+                             int first_row) {
+  const PassClock clock;
+  if (const auto copied = device.copy(from, mip, to, 0, first_row); !copied) {
+    return tl::make_unexpected(copied.error());
+  }
+  PassTime time = clock.elapsed();
+  time.device_ns = 0;  // nobody's timestamps tell it
+  return time;
+}
+
+// Level 0. Where the G-buffer's rasteriser has left it only the padding is drawn.
+Expected<PassTime> makeBase(Device& device, const Program& program, DeviceImage& base, Size padded,
+                            const std::string& source, const FrameImages& images,
+                            const UniformValues& values) {
+  const DeviceImage* rasterised = source == "dist_view" ? images.find("dist_range") : nullptr;
+  if (rasterised == nullptr) {
+    return drawBase(device, program, base, {0, 0, padded.width, padded.height}, source, images, values);
+  }
+  auto sum = copyTimed(device, *rasterised, 0, base, 0);
+  const auto [width, height] = images.size();
+  for (const Rect& padding : {Rect{width, 0, padded.width - width, height},
+                              Rect{0, height, padded.width, padded.height - height}}) {
+    const auto time = drawBase(device, program, base, padding, source, images, values);
+    if (!sum || !time) {
+      return sum ? time : sum;
+    }
+    *sum += *time;
+  }
+  return sum;
+}
+
+// Levels 1 to max_mip, each from the one below. In the atlas layout they are drawn into an image of their own
+// and copied: an image may not be drawn to and sampled at once.
+Expected<PassTime> makeLevels(Device& device, const Program& program, DeviceImage& base, Size padded,
+                              bool is_atlas, int max_mip, FrameImages& images, const UniformValues& values) {
+  PassTime sum = kNoTime;
+  if (max_mip == 0) {
+    return sum;
+  }
+  const auto upper = is_atlas ? images.getSized({.name = "pyramid_upper",
+                                                 .format = Format::kRg32f,
+                                                 .size = levelSize(padded, 1),
+                                                 .mip_count = max_mip})
+                              : Expected<DeviceImage*>(&base);
+  if (!upper) {
+    return tl::make_unexpected(upper.error());
+  }
+  for (int level = 1; level <= max_mip; ++level) {
+    const int target_mip = is_atlas ? level - 1 : level;
+    const SampledImage finer{.image = level == 1 ? &base : *upper,
+                             .base_mip = level == 1 ? 0 : target_mip - 1};
+    const Size size = levelSize(padded, level);
+    auto time = drawFullScreen(device, program,
+                               {.row = &pyramidReducePass(),
+                                .targets = {{*upper, target_mip, std::nullopt}},
+                                .viewport = {0, 0, size.width, size.height},
+                                .aliases = {{"finer", finer}}},
+                               images, values);
+    if (time && is_atlas) {
+      sum += *time;
+      time = copyTimed(device, **upper, target_mip, base, 2 * padded.height - (2 * padded.height >> level));
+    }
+    if (!time) {
+      return time;
+    }
+    sum += *time;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -79,8 +153,6 @@ Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs,
                                   base_size.height, kMaxImageSide),
                       "", "use a smaller size or --param form=textbook");
   }
-  // Level 0 stands in `base`; in the atlas layout the others are drawn into an image of their own and copied,
-  // because an image may not be drawn to and sampled at once.
   const auto base = images.getSized({.name = is_atlas ? "pyramid_atlas" : "pyramid",
                                      .format = Format::kRg32f,
                                      .size = base_size,
@@ -88,48 +160,17 @@ Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs,
   if (!base) {
     return tl::make_unexpected(base.error());
   }
-  auto sum = drawFullScreen(device, *programs.base,
-                            {.row = &pyramidBasePass(),
-                             .targets = {{*base, 0, std::nullopt}},
-                             .viewport = {0, 0, padded.width, padded.height},
-                             .aliases = {{"dist_view", images.sampled(source)}}},
-                            images, values);
-  if (!sum || max_mip == 0) {
-    values.set("atlas_rows", 2.0 * padded.height);
-    values.set("atlas_texel_uv", 1.0 / glm::dvec2(base_size.width, base_size.height));
-    return sum;
-  }
-  const auto upper = is_atlas ? images.getSized({.name = "pyramid_upper",
-                                                 .format = Format::kRg32f,
-                                                 .size = levelSize(padded, 1),
-                                                 .mip_count = max_mip})
-                              : base;
-  if (!upper) {
-    return tl::make_unexpected(upper.error());
-  }
-  for (int level = 1; level <= max_mip; ++level) {
-    const int target_mip = is_atlas ? level - 1 : level;
-    const SampledImage finer{.image = level == 1 ? *base : *upper,
-                             .base_mip = level == 1 ? 0 : target_mip - 1};
-    const auto time = drawLevel(device, programs, {*upper, target_mip, std::nullopt},
-                                levelSize(padded, level), finer, images, values);
-    if (!time) {
-      return time;
-    }
-    *sum += *time;
-    if (is_atlas) {
-      const PassClock clock;
-      const int first_row = 2 * padded.height - (2 * padded.height >> level);
-      if (const auto copied = device.copy(**upper, target_mip, **base, 0, first_row); !copied) {
-        return tl::make_unexpected(copied.error());
-      }
-      PassTime time_of_copy = clock.elapsed();
-      time_of_copy.device_ns = 0;  // nobody's timestamps tell it
-      *sum += time_of_copy;
-    }
-  }
   values.set("atlas_rows", 2.0 * padded.height);
   values.set("atlas_texel_uv", 1.0 / glm::dvec2(base_size.width, base_size.height));
+  auto sum = makeBase(device, *programs.base, **base, padded, source, images, values);
+  if (sum) {
+    const auto levels =
+        makeLevels(device, *programs.reduce, **base, padded, is_atlas, max_mip, images, values);
+    if (!levels) {
+      return levels;
+    }
+    *sum += *levels;
+  }
   return sum;
 }
 

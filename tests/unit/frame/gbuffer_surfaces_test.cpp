@@ -2,6 +2,8 @@
 // out.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "frame_device.h"
 #include "shadow_scene_test.h"
 
@@ -34,6 +36,26 @@ TEST_P(GbufferSurfacesTest, AreThoseThatTheirSidesAndMaterialsShow) {
     EXPECT_NEAR(normal_view_.at(16, 8, 2), 1.0F, 1e-6F);
     EXPECT_GT(normal_view_.at(16, 8, 3), 0.0F);
   }
+}
+
+// The tracers' first pass tells background by alpha, and the pyramid is built over the range.
+TEST_P(GbufferSurfacesTest, AlphaAndRangeTellThemFromBackground) {
+  PlaneScene planes(lightFrom(60, 20));
+  planes.quad({{-1, -2, -4}, {1, -2, -7}, {1, 2, -7}, {-1, 2, -4}}, {.double_sided = true});
+  giveScene(planes.scene(), shadowCamera({0, 0, 0}, 0.0, {33, 17}));
+  int surface_count = 0;
+  for (int y = 0; y < dist_view_.size.height; ++y) {
+    for (int x = 0; x < dist_view_.size.width; ++x) {
+      const float dist = dist_view_.at(x, y);
+      const bool is_surface = !std::isinf(dist);
+      surface_count += is_surface ? 1 : 0;
+      ASSERT_EQ(material_.at(x, y, 3), is_surface ? 1.0F : 0.0F) << x << ", " << y;
+      ASSERT_EQ(dist_range_.at(x, y, 0), dist) << x << ", " << y;
+      ASSERT_EQ(dist_range_.at(x, y, 1), is_surface ? dist : 0.0F) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(surface_count, 20);
+  EXPECT_LT(surface_count, 33 * 17 - 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, GbufferSurfacesTest, testing::Values("gl-osmesa", "vk-lavapipe"),

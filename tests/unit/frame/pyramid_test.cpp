@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
+#include <string>
 
 #include "../kit_shaders.h"
 #include "frame/image_transfer.h"
@@ -52,23 +55,53 @@ Image randomDepths(Size size) {
   return dist_view;
 }
 
+// As gbuffer.frag writes it.
+Image rangesOf(const Image& dist_view) {
+  Image ranges(dist_view.size, {"X", "Y"});
+  for (std::size_t i = 0; i < dist_view.data.size(); ++i) {
+    const float dist = dist_view.data[i];
+    ranges.data[2 * i] = dist;
+    ranges.data[2 * i + 1] = std::isinf(dist) ? 0.0F : dist;
+  }
+  return ranges;
+}
+
+Image uniformDepths(Size size) {
+  Image dist_view(size, {"Z"});
+  std::ranges::fill(dist_view.data, 77.0F);
+  return dist_view;
+}
+
 class PyramidTest : public FrameDeviceTest {
  protected:
   void check(Size size, int max_mip, PyramidLayout layout) {
     const Image dist_view = randomDepths(size);
+    check("dist_view", dist_view, std::nullopt, dist_view, max_mip, layout);
+  }
+
+  // Builds it from the image `source`, which holds `dist_view`, and holds it to the cover sets of `covered`.
+  // With `rasterised` there is a `dist_range` of that beside it.
+  void check(const std::string& source, const Image& dist_view, const std::optional<Image>& rasterised,
+             const Image& covered, int max_mip, PyramidLayout layout) {
+    const Size size = dist_view.size;
     Programs programs(*device_, target_);
     const CompileSettings settings{.shader_root = kitShaders()};
     const auto base = programs.get(pyramidBasePass(), settings);
     const auto reduce = programs.get(pyramidReducePass(), settings);
     ASSERT_TRUE(base.has_value() && reduce.has_value());
     FrameImages images(*device_, size);
-    const auto uploaded = images.get("dist_view");
+    const auto uploaded = images.get(source);
     ASSERT_TRUE(uploaded.has_value());
     ASSERT_TRUE(uploadImage(*device_, **uploaded, dist_view, {}).has_value());
+    if (rasterised) {
+      const auto range = images.get("dist_range");
+      ASSERT_TRUE(range.has_value());
+      ASSERT_TRUE(uploadImage(*device_, **range, rangesOf(*rasterised), {}).has_value());
+    }
     UniformValues values;
     values.set("size_px", glm::dvec2(size.width, size.height));
     values.set("texel_uv", 1.0 / glm::dvec2(size.width, size.height));
-    const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, "dist_view", images, values);
+    const auto time = buildPyramid(*device_, {*base, *reduce}, layout, max_mip, source, images, values);
     ASSERT_TRUE(time.has_value()) << sentence(time.error());
     const Size padded = paddedSize(size, max_mip);
     for (int level = 0; level <= max_mip; ++level) {
@@ -86,7 +119,7 @@ class PyramidTest : public FrameDeviceTest {
                                                static_cast<std::size_t>(row_length) +
                                            static_cast<std::size_t>(x)),
                       sizeof(stored));
-          const Depths expected = coverSet(dist_view, x, y, level);
+          const Depths expected = coverSet(covered, x, y, level);
           ASSERT_EQ(stored[0], expected.least) << "level " << level << " cell " << x << ", " << y;
           ASSERT_EQ(stored[1], expected.greatest) << "level " << level << " cell " << x << ", " << y;
         }
@@ -104,6 +137,24 @@ TEST_P(PyramidTest, CoversEveryTexelAtEverySize) {
       check(size, 6, layout);
     }
   }
+}
+
+// The padding of a size that is no whole number of cells is drawn all the same.
+TEST_P(PyramidTest, TakesTheBaseThatTheGbufferRasterised) {
+  for (const Size size : {Size{1, 1}, {8, 8}, {5, 7}, {16, 9}, {33, 16}}) {
+    for (const PyramidLayout layout : {PyramidLayout::kMips, PyramidLayout::kAtlas}) {
+      SCOPED_TRACE(testing::Message() << size.width << "x" << size.height);
+      for (const int max_mip : {0, 3}) {
+        check("dist_view", uniformDepths(size), randomDepths(size), randomDepths(size), max_mip, layout);
+      }
+    }
+  }
+}
+
+TEST_P(PyramidTest, TakesNoRasterisedBaseForAnotherDepth) {
+  const Size size{33, 17};
+  check("dist_unpacked", randomDepths(size), uniformDepths(size), randomDepths(size), 3,
+        PyramidLayout::kAtlas);
 }
 
 TEST_P(PyramidTest, RefusesAnAtlasOverTheLimitWithTheWayOut) {

@@ -50,9 +50,7 @@ void ShadowTest::giveScene(const Scene& scene, const Camera& camera) {
     scene_programs_ = std::make_unique<Programs>(*device_, target_);
   }
   const CompileSettings settings{.shader_root = kitShaders()};
-  PassRow row = gbufferPass();
-  row.constants = textureConstants(scene);
-  const auto gbuffer = scene_programs_->get(row, settings);
+  const auto gbuffer = scene_programs_->get(gbufferPassFor(settings, scene), settings);
   const auto map = shadowMapPrograms(*scene_programs_, settings);
   ASSERT_TRUE(gbuffer.has_value() && map.has_value());
   FrameImages images(*device_, camera.size);
@@ -60,6 +58,8 @@ void ShadowTest::giveScene(const Scene& scene, const Camera& camera) {
   const auto mapped = drawShadowMap(*device_, *map, cascade_count, scene, *resources, images, values_);
   ASSERT_TRUE(mapped.has_value()) << sentence(mapped.error());
   dist_view_ = *readImage(*device_, *images.find("dist_view"), {"Z"});
+  material_ = *readImage(*device_, *images.find("material"), {"R", "G", "B", "A"});
+  dist_range_ = *readImage(*device_, *images.find("dist_range"), {"X", "Y"});
   normal_view_ = *readImage(*device_, *images.find("normal_view"), {"R", "G", "B", "A"});
   give("dist_view", dist_view_, Format::kR32f);
   give("normal_view", normal_view_);

@@ -38,6 +38,8 @@ class ShadowTest : public PassTest {
   Size size_;
   Image dist_view_;
   Image normal_view_;
+  Image material_;
+  Image dist_range_;
 
  private:
   std::unique_ptr<Programs> scene_programs_;
