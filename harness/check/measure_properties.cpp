@@ -48,13 +48,12 @@ bool isOverBudget(const RayHit& ray, const Answer& self, int /*x*/, int /*y*/) {
   return ray.lookups > static_cast<std::uint32_t>(self.parameters.lookup_budget);
 }
 
-// A texel if and only if there is a hit; nothing spent on pixels without a ray.
+// One of the classes; a texel if and only if there is a hit; nothing spent on pixels without a ray.
 bool isInconsistent(const RayHit& ray, const Answer& /*self*/, int /*x*/, int /*y*/) {
   const bool has_texel = ray.texel_x >= 0 && ray.texel_y >= 0;
   const bool has_no_texel = ray.texel_x == -1 && ray.texel_y == -1;
-  const bool known_class = static_cast<int>(ray.ray_class) < kRayClassCount;
   const bool costs_without_ray = hasNoRay(ray.ray_class) && ray.lookups != 0;
-  return !known_class || costs_without_ray || (isHit(ray) ? !has_texel : !has_no_texel);
+  return !isKnown(ray.ray_class) || costs_without_ray || (isHit(ray) ? !has_texel : !has_no_texel);
 }
 
 struct Property {
@@ -75,15 +74,16 @@ Property propertyOf(Metric metric) {
     case Metric::kLookupsWithinBudget:
       return {isOverBudget, "at most lookup_budget lookups"};
     default:
-      return {isInconsistent, "a texel exactly for HIT, no lookups without a ray"};
+      return {isInconsistent, "a class from 0 to 6, a texel exactly for HIT, no lookups without a ray"};
   }
 }
 
 std::string rayText(const RayHit& ray) {
-  const bool known = static_cast<int>(ray.ray_class) < kRayClassCount;
-  return fmt::format("{} ({}, {}) px ({:.4f}, {:.4f}) t_m {:.4g} lookups {}",
-                     known ? name(ray.ray_class) : "?", ray.texel_x, ray.texel_y, ray.px_x, ray.px_y, ray.t_m,
-                     ray.lookups);
+  const int number = static_cast<int>(ray.ray_class);
+  const std::string ray_class =
+      isKnown(ray.ray_class) ? name(ray.ray_class) : fmt::format("class {}", number);
+  return fmt::format("{} ({}, {}) px ({:.4f}, {:.4f}) t_m {:.4g} lookups {}", ray_class, ray.texel_x,
+                     ray.texel_y, ray.px_x, ray.px_y, ray.t_m, ray.lookups);
 }
 
 Measurement recordProperty(Metric metric, const Answer& self) {

@@ -104,9 +104,8 @@ Expected<RayRecord> readRecord(Device& device, const DeviceImage& hit_texel, con
   RayRecord record{.size = hit_texel.desc().size, .rays = {}};
   record.rays.resize(texels.size() / 2);
   for (std::size_t i = 0; i < record.rays.size(); ++i) {
-    // A shader of the user's own may write any number as a class: what is none becomes a miss out of range,
-    // and the checks see it.
-    const std::uint16_t ray_class = std::min<std::uint16_t>(work[4 * i], kRayClassCount - 1);
+    // A shader of the user's own may write any number as a class: what is none stays none, for the checks.
+    const std::uint16_t ray_class = std::min<std::uint16_t>(work[4 * i], kLastRayClassNumber);
     record.rays[i] = {.texel_x = texels[2 * i],
                       .texel_y = texels[2 * i + 1],
                       .px_x = points[4 * i],

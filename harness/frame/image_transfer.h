@@ -22,7 +22,8 @@ namespace ssrkit {
 [[nodiscard]] Expected<Image> readImage(Device& device, const DeviceImage& from,
                                         const std::vector<std::string>& channels);
 
-// The three images of a trace as one record.
+// The three images of a trace as one record. Classes are as the shader wrote them, also those that are none;
+// numbers over kLastRayClassNumber become that.
 [[nodiscard]] Expected<RayRecord> readRecord(Device& device, const DeviceImage& hit_texel,
                                              const DeviceImage& hit_point, const DeviceImage& ray_work);
 

@@ -89,7 +89,7 @@ Expected<std::array<std::size_t, kChannelCount>> channelOrder(const Image& image
 const char* name(RayClass ray_class) {
   static constexpr std::array<const char*, kRayClassCount> kNames = {
       "MASKED", "BACKGROUND", "HIT", "OFFSCREEN", "RANGE", "BUDGET", "INTO_SURFACE"};
-  return kNames.at(static_cast<std::size_t>(ray_class));
+  return isKnown(ray_class) ? kNames.at(static_cast<std::size_t>(ray_class)) : "no class";
 }
 
 Image toImage(const RayRecord& record) {

@@ -22,7 +22,13 @@ enum class RayClass : std::uint8_t {
 };
 inline constexpr int kRayClassCount = 7;
 
-[[nodiscard]] const char* name(RayClass ray_class);  // "HIT"
+// A shader of somebody's own may write another number, which a record in memory keeps: the checks tell it.
+inline constexpr int kLastRayClassNumber = 255;
+[[nodiscard]] constexpr bool isKnown(RayClass ray_class) {
+  return static_cast<int>(ray_class) < kRayClassCount;
+}
+
+[[nodiscard]] const char* name(RayClass ray_class);  // "HIT"; "no class" of one that is not known
 
 struct RayHit {
   std::int32_t texel_x = -1;  // -1: none

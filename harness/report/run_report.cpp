@@ -39,7 +39,9 @@ TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdict
   std::vector<double> lookups;
   lookups.reserve(record.rays.size());  // what is not filled takes no memory
   for (const RayHit& ray : record.rays) {
-    ++summary.classes.at(static_cast<std::size_t>(ray.ray_class));
+    if (isKnown(ray.ray_class)) {
+      ++summary.classes.at(static_cast<std::size_t>(ray.ray_class));
+    }
     if (isTraced(ray)) {
       lookups.push_back(ray.lookups);
     }

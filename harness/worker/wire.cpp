@@ -1,6 +1,5 @@
 #include "worker/wire.h"
 
-#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <variant>
@@ -62,9 +61,6 @@ void fields(Archive& archive, T& record) {
   archive(record.size);
   archive.bulk(record.rays);
   archive.require(isPlausible(record.size) && record.rays.size() == texelCount(record.size));
-  archive.require(std::all_of(record.rays.begin(), record.rays.end(), [](const RayHit& ray) {
-    return static_cast<int>(ray.ray_class) < kRayClassCount;
-  }));
 }
 
 template <class Archive, Is<TraceParameters> T>

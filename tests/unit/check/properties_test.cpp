@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "made_answers.h"
 
@@ -65,6 +66,20 @@ TEST(Properties, AClassAndItsTexelAgree) {
                       ray.lookups = 1;
                     }),
             "fail");
+}
+
+TEST(Properties, AClassThatDoesNotExistIsToldByItsNumber) {
+  for (const int number : {kRayClassCount, 200, kLastRayClassNumber}) {
+    Bench bench;
+    bench.add("hiz", shiftedRecord(kSize));
+    RayHit& ray = bench.records.front().rays[9];
+    ray = without(RayClass::kIntoSurface);
+    ray.ray_class = static_cast<RayClass>(number);
+    const CheckResult result = bench.check(expectation("metric = \"class_consistent\""));
+    EXPECT_EQ(outcomeName(result), "fail") << number;
+    EXPECT_NE(result.message.find("class " + std::to_string(number)), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find("a class from 0 to 6"), std::string::npos) << result.message;
+  }
 }
 
 TEST(Properties, ImagesAreFiniteButForTheBackgroundsDistance) {

@@ -1,12 +1,15 @@
 // Whole jobs on each device over G-buffers made by formula.
 #include "frame/run_job.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <string>
 
 #include "../kit_shaders.h"
 #include "base/atomic_file.h"
@@ -50,12 +53,15 @@ Expected<JobResult> runJob(Device& device, ShaderTarget target, const Job& job) 
   return JobRunner(device, target).run(job, [](const std::string&) {});
 }
 
+std::filesystem::path minePath() {
+  return std::filesystem::temp_directory_path() / ("ssrkit-mine-" + std::to_string(getpid()) + ".frag");
+}
+
 class RunJobTest : public FrameDeviceTest {
  protected:
   // The sentence that a job with this fragment shader in the place of trace_walk ends with.
   [[nodiscard]] std::string refusalOf(const std::string& glsl) {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / ("ssrkit-mine-" + std::to_string(getpid()) + ".frag");
+    const std::filesystem::path file = minePath();
     EXPECT_TRUE(writeFileAtomically(file, glsl).has_value());
     Job job = floorAndWall();
     job.traces = {{.stage = "walk"}};
@@ -204,6 +210,28 @@ TEST_P(RunJobTest, NamesThePassThatCannotBeReplaced) {
   const auto result = runJob(*device_, target_, job);
   ASSERT_FALSE(result.has_value());
   EXPECT_NE(sentence(result.error()).find("did you mean 'trace_walk'?"), std::string::npos);
+}
+
+// Not as a class that exists: no check would see it.
+TEST_P(RunJobTest, KeepsAClassThatDoesNotExistAsTheShaderWroteIt) {
+  const std::filesystem::path file = minePath();
+  for (const auto& [written, kept] : {std::pair{"200", 200}, std::pair{"7", 7}, std::pair{"65535", 255}}) {
+    ASSERT_TRUE(
+        writeFileAtomically(
+            file, fmt::format("#version 450\nlayout(location = 0) out ivec2 a;\n"
+                              "layout(location = 1) out vec4 b;\nlayout(location = 2) out uvec4 c;\n"
+                              "void main() {{ a = ivec2(-1); b = vec4(-1.0); c = uvec4({}u, 0, 0, 0); }}\n",
+                              written))
+            .has_value());
+    Job job = floorAndWall();
+    job.traces = {{.stage = "walk", .parameters = {}, .technique = ""}};
+    job.replacements = {{.pass = "walk", .file = file}};
+    const auto result = runJob(*device_, target_, job);
+    ASSERT_TRUE(result.has_value()) << sentence(result.error());
+    const auto is_kept = [&](const RayHit& ray) { return static_cast<int>(ray.ray_class) == kept; };
+    EXPECT_TRUE(std::ranges::any_of(result->traces[0].record.rays, is_kept)) << written;
+  }
+  std::filesystem::remove(file);
 }
 
 TEST_P(RunJobTest, RefusesAShaderWithTooFewOutputs) {

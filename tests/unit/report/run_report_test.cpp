@@ -30,6 +30,14 @@ TEST(Summarise, CountsLookupsOnlyOfTracedRays) {
   EXPECT_FALSE(summary.verdicts);
 }
 
+TEST(Summarise, CountsARayOfNoClassInNone) {
+  RayRecord record{.size = {2, 1}, .rays = std::vector<RayHit>(2)};
+  record.rays[0].ray_class = static_cast<RayClass>(200);
+  const TraceSummary summary = summarise(record, {});
+  EXPECT_EQ(summary.classes, (std::array<std::size_t, kRayClassCount>{1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(summary.traced_rays, 1U);
+}
+
 TEST(Summarise, HasNoLookupsWithoutRays) {
   const TraceSummary summary = summarise({.size = {1, 1}, .rays = std::vector<RayHit>(1)}, {});
   EXPECT_EQ(summary.traced_rays, 0U);
