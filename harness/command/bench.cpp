@@ -177,6 +177,7 @@ Expected<std::unique_ptr<Suite>> benchSuite(
        .size = work.request.size,
        .mirror_material = "",
        .replacements = work.request.replacements,
+       .tests_draw_different_passes = work.options.gates,
        .limits = {.wall = kPatience, .cpu = kPatience, .compile = kPatience, .run = kPatience},
        .parts = parts,
        .peers = work.peers,

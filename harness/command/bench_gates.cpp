@@ -7,6 +7,7 @@
 #include "command/bench_work.h"
 #include "command/known_names.h"
 #include "command/native_cells.h"
+#include "frame/replacements.h"
 #include "native/trace.h"
 #include "scene/find_scene.h"
 
@@ -81,6 +82,7 @@ Expected<std::vector<CheckResult>> measureGates(const BenchWork& work) {
     return of_processes;
   }
   std::vector<CheckResult> checks = std::move(*of_processes);
+  std::set<std::string> drawn_passes;
   for (TestFile& file : *files) {
     const std::vector<CheckResult> skipped = skipOtherCpus(file);
     checks.insert(checks.end(), skipped.begin(), skipped.end());
@@ -93,7 +95,15 @@ Expected<std::vector<CheckResult>> measureGates(const BenchWork& work) {
       }
       const SceneRun run = (*suite)->run(file, *source);
       checks.insert(checks.end(), run.checks.begin(), run.checks.end());
+      for (const CellRun& cell : run.cells) {
+        if (cell.result) {
+          drawn_passes.insert(cell.result->drawn_passes.begin(), cell.result->drawn_passes.end());
+        }
+      }
     }
+  }
+  if (const auto taken = checkReplacementsTookPlace(work.request.replacements, drawn_passes); !taken) {
+    return tl::make_unexpected(taken.error());
   }
   return checks;
 }

@@ -60,6 +60,7 @@ struct SuiteOptions {
   std::string mirror_material;
   std::optional<EnvironmentChoice> environment;
   std::vector<ShaderReplacement> replacements;
+  bool tests_draw_different_passes = false;  // so that some jobs may draw none of the replaced ones
   JobLimits limits;
   // Into so many parts a test's rounds are divided. The jobs of a test take turns, part by part, so that what
   // they cost may be compared round by round also between devices and sizes.

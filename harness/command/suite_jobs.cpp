@@ -61,6 +61,7 @@ Job jobFor(const TestFile& test, const SceneSource& source, const SuiteOptions& 
   job.sequence = sequenceOf(test);
   job.timing.rounds = roundsOfPart(test.rounds, 0, options.parts);
   job.replacements = options.replacements;
+  job.may_replace_nothing = options.tests_draw_different_passes;
   job.shader_root = options.shader_root;
   for (const TestCase& test_case : casesOf(test, variant)) {
     for (const std::string& name : test.stages) {

@@ -56,6 +56,7 @@ struct Job {
   std::vector<TraceRequest> traces;
   TimingRequest timing;
   std::vector<ShaderReplacement> replacements;
+  bool may_replace_nothing = false;  // other jobs draw what this one may not; else that is an error
   std::filesystem::path shader_root;
   std::string variant;       // a row of frame/variants.h; empty: none
   bool want_gbuffer = true;  // read back and return the frame's images
@@ -83,10 +84,11 @@ struct JobResult {
   std::map<std::string, Image>
       images;  // albedo, normal_view, material, depth_window, dist_view, motion, lit ...
   std::vector<TraceResult> traces;
-  std::vector<PassReport> frame_passes;  // G-buffer and the passes of the frame's kind
-  SetupTimes setup;                      // of the programs that no earlier job had made
-  std::vector<std::string> notes;        // the scene's
-  std::vector<std::string> messages;     // driver and validation; any one fails the job
+  std::vector<PassReport> frame_passes;   // G-buffer and the passes of the frame's kind
+  std::vector<std::string> drawn_passes;  // by the names that replacements have; stages by their shaders'
+  SetupTimes setup;                       // of the programs that no earlier job had made
+  std::vector<std::string> notes;         // the scene's
+  std::vector<std::string> messages;      // driver and validation; any one fails the job
 };
 
 }  // namespace ssrkit

@@ -83,6 +83,7 @@ Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
 }  // namespace
 
 Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
+  pass_names_.insert(pass.name);
   const auto replacement = settings.replacements.find(pass.name);
   const bool is_replaced = replacement != settings.replacements.end();
   const std::string key =

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,9 @@ class Programs {
   // Compiles at the first use. Errors name the author's file and line.
   [[nodiscard]] Expected<const Program*> get(const PassRow& pass, const CompileSettings& settings);
 
+  // Of every pass that was asked for since the last call.
+  std::set<std::string> takePassNames() { return std::exchange(pass_names_, {}); }
+
   // Of every program made since the last call.
   [[nodiscard]] SetupTimes takeTimes() { return std::exchange(times_, {}); }
 
@@ -63,6 +67,7 @@ class Programs {
 
   Device& device_;
   ShaderTarget target_;
+  std::set<std::string> pass_names_;
   SetupTimes times_;
   // By everything that a program is made of; a replaced file is compiled anew for each job, it may have been
   // edited.

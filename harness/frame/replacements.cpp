@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -49,27 +50,11 @@ std::vector<std::string> replaceableNames() {
   return names;
 }
 
-// The pass that a job draws for a request's trace.
-std::string tracePassName(const TraceRequest& request) {
-  const auto stage = findStage(request.stage);
-  return stage ? tracePass(shaderOf(**stage, request.parameters)).name : "";
-}
-
-// A shader that takes no pass's place would leave its author with the kit's own results.
-Expected<void> checkIsDrawn(const std::string& pass, const Job& job) {
-  std::vector<std::string> drawn;
-  for (const TraceRequest& request : job.traces) {
-    drawn.push_back(tracePassName(request));
-    if (pass == request.stage || pass == drawn.back()) {
-      return {};
-    }
-  }
-  const bool is_trace = findStage(pass).has_value() || pass.starts_with("trace_");
-  if (!is_trace) {
-    return {};
-  }
-  return inputError(fmt::format("replace the pass '{}'", pass), "this run does not draw it", "",
-                    "its trace passes are " + joinNames(drawn));
+// The passes that a replacement of this name is for: a stage has two.
+std::vector<std::string> passesNamed(const std::string& name) {
+  const auto stage = findStage(name);
+  return stage ? std::vector{tracePass((*stage)->shader).name, tracePass((*stage)->tuned_shader).name}
+               : std::vector{name};
 }
 
 }  // namespace
@@ -88,17 +73,26 @@ Expected<CompileSettings> compileSettings(const Job& job) {
           fmt::format("replace the pass '{}'", replacement.pass), "there is no such pass", "",
           nearest ? fmt::format("did you mean '{}'?", *nearest) : "the passes are " + joinNames(names));
     }
-    if (const auto is_drawn = checkIsDrawn(replacement.pass, job); !is_drawn) {
-      return tl::make_unexpected(is_drawn.error());
-    }
     const std::filesystem::path file = std::filesystem::absolute(replacement.file);
-    settings.replacements[replacement.pass] = file;
-    if (const auto stage = findStage(replacement.pass); stage) {
-      settings.replacements[tracePass((*stage)->shader).name] = file;
-      settings.replacements[tracePass((*stage)->tuned_shader).name] = file;
+    for (const std::string& pass : passesNamed(replacement.pass)) {
+      settings.replacements[pass] = file;
     }
   }
   return settings;
+}
+
+Expected<void> checkReplacementsTookPlace(const std::vector<ShaderReplacement>& replacements,
+                                          const std::set<std::string>& drawn_passes) {
+  const auto is_drawn = [&](const std::string& pass) { return drawn_passes.contains(pass); };
+  for (const ShaderReplacement& replacement : replacements) {
+    if (!std::ranges::any_of(passesNamed(replacement.pass), is_drawn)) {
+      std::vector<std::string> drawn;
+      std::ranges::copy_if(replaceableNames(), std::back_inserter(drawn), is_drawn);
+      return inputError(fmt::format("replace the pass '{}'", replacement.pass), "this run does not draw it",
+                        "", "its passes are " + joinNames(drawn));
+    }
+  }
+  return {};
 }
 
 }  // namespace ssrkit

@@ -4,6 +4,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "frame/changed_view.h"
 #include "frame/draw_sequence.h"
@@ -163,6 +165,12 @@ Expected<void> JobRunner::Impl::draw(const Job& job, const CompileSettings& sett
     }
     tracings.push_back(std::move(*tracing));
   }
+  const std::set<std::string> passes = programs.takePassNames();
+  if (const auto taken = checkReplacementsTookPlace(job.replacements, passes);
+      !taken && !job.may_replace_nothing) {
+    return taken;
+  }
+  result.drawn_passes.assign(passes.begin(), passes.end());
   const auto variant = findVariant(job.variant);
   if (!variant) {
     return tl::make_unexpected(variant.error());
@@ -205,6 +213,7 @@ Expected<JobResult> JobRunner::Impl::run(const Job& job, const ViewChange& view,
     images.emplace(device, size);
   }
   JobResult result;
+  programs.takePassNames();  // of a job that failed
   UniformValues values;
   if (settings->form == ModuleForm::kDeadCode) {
     values.set(kDeadCodeZero, -0.0);

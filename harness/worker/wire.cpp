@@ -114,7 +114,7 @@ template <class Archive, Is<Job> T>
 void fields(Archive& archive, T& job) {
   archive(job.id, job.scene_file, job.camera_name, job.mirror_material, job.environment, job.gbuffer,
           job.gbuffer_camera, job.size, job.frame, job.sequence, job.traces, job.timing.rounds,
-          job.replacements, job.shader_root, job.variant, job.want_gbuffer);
+          job.replacements, job.may_replace_nothing, job.shader_root, job.variant, job.want_gbuffer);
 }
 
 template <class Archive, Is<PassTime> T>
@@ -139,8 +139,8 @@ void fields(Archive& archive, T& times) {
 
 template <class Archive, Is<JobResult> T>
 void fields(Archive& archive, T& result) {
-  archive(result.camera, result.images, result.traces, result.frame_passes, result.setup, result.notes,
-          result.messages);
+  archive(result.camera, result.images, result.traces, result.frame_passes, result.drawn_passes, result.setup,
+          result.notes, result.messages);
 }
 
 template <class Archive, Is<Error> T>

@@ -86,7 +86,10 @@ class Names(CommandLineTest):
 
     def test_pass_that_the_run_does_not_draw(self):
         shader = self.write("a.frag", "#version 450\nvoid main() {}\n")
-        self.assert_refused(self.trace("--replace", f"trace_walk={shader}"), "trace_walk")
+        for name in ("trace_walk", "shadow", "ao", "pyramid_base", "accumulate"):
+            with self.subTest(name):
+                self.assert_refused(self.trace("--replace", f"{name}={shader}"), f"'{name}'", "this run does not draw it",
+                                    "trace_dda")
 
 
 class Sizes(CommandLineTest):

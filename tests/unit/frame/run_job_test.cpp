@@ -212,6 +212,42 @@ TEST_P(RunJobTest, NamesThePassThatCannotBeReplaced) {
   EXPECT_NE(sentence(result.error()).find("did you mean 'trace_walk'?"), std::string::npos);
 }
 
+TEST_P(RunJobTest, RefusesAReplacementOfAPassThatItDoesNotDraw) {
+  Job job = floorAndWall();
+  job.traces = {{.stage = "walk"}, {.stage = "dda"}};
+  // The G-buffer was given, the frame is "basic", the technique "mirror", and neither tracer reads a pyramid.
+  for (const char* pass : {"gbuffer", "shadow", "ao", "shadow_map", "accumulate", "composite_replace",
+                           "pyramid_base", "pyramid_reduce", "hiz", "trace_hiz_tuned"}) {
+    job.replacements = {{.pass = "dda", .file = kitShaders() / "trace_dda.frag"},
+                        {.pass = pass, .file = "missing.frag"}};
+    const auto result = runJob(*device_, target_, job);
+    ASSERT_FALSE(result.has_value()) << pass;
+    const std::string text = sentence(result.error());
+    EXPECT_NE(text.find(fmt::format("replace the pass '{}': this run does not draw it", pass)),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("its passes are light, "), std::string::npos) << text;
+    EXPECT_NE(text.find("trace_dda and trace_walk"), std::string::npos) << text;
+  }
+}
+
+TEST_P(RunJobTest, TakesReplacementsOfWhatItDrawsAndLeavesOthersWhereToldTo) {
+  Job job = floorAndWall();
+  job.traces = {{.stage = "hiz"}};
+  for (const char* pass :
+       {"light", "resolve", "composite", "pyramid_base", "pyramid_reduce", "without_ray"}) {
+    job.replacements = {{.pass = pass, .file = kitShaders() / fmt::format("{}.frag", pass)}};
+    const auto result = runJob(*device_, target_, job);
+    EXPECT_TRUE(result.has_value()) << sentence(result.error());
+  }
+  job.replacements = {{.pass = "shadow", .file = "missing.frag"}};
+  job.may_replace_nothing = true;
+  const auto result = runJob(*device_, target_, job);
+  ASSERT_TRUE(result.has_value()) << sentence(result.error());
+  const std::set<std::string> drawn(result->drawn_passes.begin(), result->drawn_passes.end());
+  EXPECT_TRUE(drawn.contains("light") && drawn.contains("pyramid_base") && !drawn.contains("shadow"));
+}
+
 // Not as a class that exists: no check would see it.
 TEST_P(RunJobTest, KeepsAClassThatDoesNotExistAsTheShaderWroteIt) {
   const std::filesystem::path file = minePath();

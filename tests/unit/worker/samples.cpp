@@ -124,6 +124,7 @@ Job sampleJob() {
                                   .lookups_channel = 1};
   job.timing.rounds = 11;
   job.replacements = {{"trace_hiz", "/tmp/mine.frag"}};
+  job.may_replace_nothing = true;
   job.shader_root = "shaders";
   job.variant = "tiled";
   job.want_gbuffer = false;
@@ -147,6 +148,7 @@ JobResult sampleResult() {
   result.frame_passes = sampleReports();
   result.setup = {.compile_ns = 123, .pipeline_ns = -456};
   result.notes = {"a light was added", ""};
+  result.drawn_passes = {"light", "trace_hiz"};
   result.messages = {"driver said \x80"};
   return result;
 }
@@ -203,7 +205,8 @@ bool sameBits(const Job& a, const Job& b) {
          a.timing.rounds == b.timing.rounds &&
          std::equal(a.replacements.begin(), a.replacements.end(), b.replacements.begin(),
                     b.replacements.end(), same_replacement) &&
-         a.shader_root == b.shader_root && a.variant == b.variant && a.want_gbuffer == b.want_gbuffer;
+         a.may_replace_nothing == b.may_replace_nothing && a.shader_root == b.shader_root &&
+         a.variant == b.variant && a.want_gbuffer == b.want_gbuffer;
 }
 
 bool sameBits(const JobResult& a, const JobResult& b) {
@@ -213,8 +216,8 @@ bool sameBits(const JobResult& a, const JobResult& b) {
   };
   return sameBits(a.camera, b.camera) && sameImages(a.images, b.images) &&
          std::equal(a.traces.begin(), a.traces.end(), b.traces.begin(), b.traces.end(), same_trace) &&
-         sameBits(a.frame_passes, b.frame_passes) && a.setup == b.setup && a.notes == b.notes &&
-         a.messages == b.messages;
+         sameBits(a.frame_passes, b.frame_passes) && a.drawn_passes == b.drawn_passes && a.setup == b.setup &&
+         a.notes == b.notes && a.messages == b.messages;
 }
 
 }  // namespace ssrkit
