@@ -15,6 +15,23 @@ bool readsShadowMap(const PreparedPass& pass) {
                              [](const SamplerBinding& sampler) { return sampler.name == "shadow_map"; });
 }
 
+// The kind's, with what this scene makes of them and without those whose image was given.
+std::vector<FramePass> passesOf(const FrameKind& kind, const PosedScene* scene,
+                                const std::vector<std::string>& given_images) {
+  std::vector<FramePass> passes = kind.passes;
+  std::erase_if(passes, [&](const FramePass& pass) {
+    return std::ranges::find(given_images, pass.outputs.front()) != given_images.end();
+  });
+  const auto lights = lightConstants(scene != nullptr ? scene->scene : sceneOfGiven());
+  for (FramePass& pass : passes) {
+    pass.constants.insert(lights.begin(), lights.end());
+    if (pass.where_surfaces && scene != nullptr) {
+      pass.depth = "depth_window";
+    }
+  }
+  return passes;
+}
+
 }  // namespace
 
 Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSettings& settings,
@@ -31,18 +48,7 @@ Expected<FrameDrawing> FrameDrawing::prepare(Programs& programs, const CompileSe
     }
     drawing.gbuffer_ = *program;
   }
-  std::vector<FramePass> passes = kind.passes;
-  std::erase_if(passes, [&](const FramePass& pass) {
-    return std::ranges::find(given_images, pass.outputs.front()) != given_images.end();
-  });
-  const auto lights = lightConstants(scene != nullptr ? scene->scene : sceneOfGiven());
-  for (FramePass& pass : passes) {
-    pass.constants.insert(lights.begin(), lights.end());
-    if (pass.where_surfaces && scene != nullptr) {
-      pass.depth = "depth_window";
-    }
-  }
-  auto prepared = preparePasses(programs, settings, passes, progress);
+  auto prepared = preparePasses(programs, settings, passesOf(kind, scene, given_images), progress);
   if (!prepared) {
     return tl::make_unexpected(prepared.error());
   }

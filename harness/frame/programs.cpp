@@ -80,6 +80,80 @@ Expected<std::optional<UniformBlock>> singleBlock(const ShaderInterface& vertex,
   return blocks.empty() ? std::nullopt : std::optional(blocks.front());
 }
 
+struct Stages {
+  ShaderModule vertex;
+  ShaderModule fragment;
+  std::string fragment_file;  // for messages
+};
+
+Expected<Stages> compileStages(const PassRow& pass, const CompileSettings& settings, ShaderTarget target) {
+  const auto replacement = settings.replacements.find(pass.name);
+  const std::filesystem::path fragment_file = replacement != settings.replacements.end()
+                                                  ? replacement->second
+                                                  : std::filesystem::path(pass.fragment_shader);
+  const CompileOptions options{.form = settings.form, .use_cache = true};
+  auto vertex = compileShader({.root = settings.shader_root,
+                               .entry = pass.vertex_shader,
+                               .stage = ShaderStage::kVertex,
+                               .defines = {}},
+                              target, options);
+  if (!vertex) {
+    return tl::make_unexpected(vertex.error());
+  }
+  auto fragment = compileShader(
+      {.root = settings.shader_root, .entry = fragment_file, .stage = ShaderStage::kFragment, .defines = {}},
+      target, options);
+  if (!fragment) {
+    return tl::make_unexpected(fragment.error());
+  }
+  return Stages{std::move(*vertex), std::move(*fragment), fragment_file.string()};
+}
+
+// What draws with the program must know of it. Fails on shaders that no pass, or not this one, can be drawn
+// with.
+Expected<Program> describe(const PassRow& pass, const Stages& stages) {
+  if (const auto checked = checkOutputs(pass, stages.fragment.interface, stages.fragment_file); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  auto block = singleBlock(stages.vertex.interface, stages.fragment.interface, stages.fragment_file);
+  if (!block) {
+    return tl::make_unexpected(block.error());
+  }
+  Program program{.shader = stages.fragment_file,
+                  .device_program = {},
+                  .samplers = stages.vertex.interface.samplers,
+                  .uniform_block = *block,
+                  .target_count = pass.colour_formats.size()};
+  program.samplers.insert(program.samplers.end(), stages.fragment.interface.samplers.begin(),
+                          stages.fragment.interface.samplers.end());
+  return program;
+}
+
+// What the device makes it of. Points into `stages`.
+ProgramDesc programDesc(const PassRow& pass, const Stages& stages, const Program& program) {
+  ProgramDesc desc{.name = pass.name,
+                   .vertex_spirv = stages.vertex.spirv,
+                   .fragment_spirv = stages.fragment.spirv,
+                   .spec_constants = {},
+                   .vertex_constant_ids = constantIds(stages.vertex.interface),
+                   .fragment_constant_ids = constantIds(stages.fragment.interface),
+                   .sampler_bindings = {},
+                   .uniform_bindings = {},
+                   .vertex_attributes = pass.vertex_attributes,
+                   .vertex_stride_bytes = pass.vertex_stride_bytes,
+                   .colour_formats = pass.colour_formats,
+                   .depth_test = pass.depth_test};
+  specialise(desc, pass, stages.vertex.interface);
+  specialise(desc, pass, stages.fragment.interface);
+  for (const SamplerBinding& sampler : program.samplers) {
+    desc.sampler_bindings.push_back(sampler.binding);
+  }
+  if (program.uniform_block) {
+    desc.uniform_bindings.push_back(program.uniform_block->binding);
+  }
+  return desc;
+}
+
 }  // namespace
 
 Expected<const Program*> Programs::get(const PassRow& pass, const CompileSettings& settings) {
@@ -102,69 +176,23 @@ Expected<const Program*> Programs::get(const PassRow& pass, const CompileSetting
 }
 
 Expected<Program> Programs::make(const PassRow& pass, const CompileSettings& settings) {
-  const auto replacement = settings.replacements.find(pass.name);
-  const std::filesystem::path fragment_file = replacement != settings.replacements.end()
-                                                  ? replacement->second
-                                                  : std::filesystem::path(pass.fragment_shader);
-  const CompileOptions options{.form = settings.form, .use_cache = true};
   const PassClock compiling;
-  const auto vertex = compileShader({.root = settings.shader_root,
-                                     .entry = pass.vertex_shader,
-                                     .stage = ShaderStage::kVertex,
-                                     .defines = {}},
-                                    target_, options);
-  if (!vertex) {
-    return tl::make_unexpected(vertex.error());
-  }
-  const auto fragment = compileShader(
-      {.root = settings.shader_root, .entry = fragment_file, .stage = ShaderStage::kFragment, .defines = {}},
-      target_, options);
-  if (!fragment) {
-    return tl::make_unexpected(fragment.error());
+  const auto stages = compileStages(pass, settings, target_);
+  if (!stages) {
+    return tl::make_unexpected(stages.error());
   }
   times_.compile_ns += compiling.elapsed().wall_ns;
-  const std::string shader = fragment_file.string();
-  if (const auto checked = checkOutputs(pass, fragment->interface, shader); !checked) {
-    return tl::make_unexpected(checked.error());
-  }
-  auto block = singleBlock(vertex->interface, fragment->interface, shader);
-  if (!block) {
-    return tl::make_unexpected(block.error());
-  }
-  Program program{.shader = shader,
-                  .device_program = {},
-                  .samplers = vertex->interface.samplers,
-                  .uniform_block = *block,
-                  .target_count = pass.colour_formats.size()};
-  program.samplers.insert(program.samplers.end(), fragment->interface.samplers.begin(),
-                          fragment->interface.samplers.end());
-  ProgramDesc desc{.name = pass.name,
-                   .vertex_spirv = vertex->spirv,
-                   .fragment_spirv = fragment->spirv,
-                   .spec_constants = {},
-                   .vertex_constant_ids = constantIds(vertex->interface),
-                   .fragment_constant_ids = constantIds(fragment->interface),
-                   .sampler_bindings = {},
-                   .uniform_bindings = {},
-                   .vertex_attributes = pass.vertex_attributes,
-                   .vertex_stride_bytes = pass.vertex_stride_bytes,
-                   .colour_formats = pass.colour_formats,
-                   .depth_test = pass.depth_test};
-  specialise(desc, pass, vertex->interface);
-  specialise(desc, pass, fragment->interface);
-  for (const SamplerBinding& sampler : program.samplers) {
-    desc.sampler_bindings.push_back(sampler.binding);
-  }
-  if (program.uniform_block) {
-    desc.uniform_bindings.push_back(program.uniform_block->binding);
+  auto program = describe(pass, *stages);
+  if (!program) {
+    return program;
   }
   const PassClock linking;
-  auto device_program = device_.createProgram(desc);
+  auto device_program = device_.createProgram(programDesc(pass, *stages, *program));
   times_.pipeline_ns += linking.elapsed().wall_ns;
   if (!device_program) {
     return tl::make_unexpected(device_program.error());
   }
-  program.device_program = std::move(*device_program);
+  program->device_program = std::move(*device_program);
   return program;
 }
 

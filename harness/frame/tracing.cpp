@@ -59,6 +59,41 @@ Expected<void> spreadRays(Device& device, const FrameImages& images, int stride,
   return {};
 }
 
+// The passes of the trace itself, its tracer's own the last. A peer's inputs and answer go into the technique
+// around it; its trace has no depth.
+Expected<std::vector<PreparedPass>> prepareTrace(Programs& programs, const CompileSettings& settings,
+                                                 const TraceRequest& request, const std::string& shader,
+                                                 Technique& technique, const Progress& progress) {
+  if (!request.peer) {
+    drawWhereRaysStart(technique);
+    return preparePasses(programs, settings, tracePasses(shader, technique), progress);
+  }
+  technique.before_trace.insert(technique.before_trace.begin(), peerInputs(*request.peer));
+  technique.after_sample.insert(technique.after_sample.begin(), peerAnswer(*request.peer));
+  auto trace = preparePasses(programs, settings, {peerTrace(*request.peer)}, progress);
+  if (trace) {
+    if (const auto checked = checkPeerNames(*request.peer, *trace->back().program); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
+  }
+  return trace;
+}
+
+Expected<PyramidPrograms> pyramidPrograms(Programs& programs, const CompileSettings& settings,
+                                          const Progress& progress) {
+  PyramidPrograms pyramid;
+  for (const auto& [row, program] :
+       {std::pair{&pyramidBasePass(), &pyramid.base}, std::pair{&pyramidReducePass(), &pyramid.reduce}}) {
+    progress("compile " + row->name);
+    const auto compiled = programs.get(*row, settings);
+    if (!compiled) {
+      return tl::make_unexpected(compiled.error());
+    }
+    *program = *compiled;
+  }
+  return pyramid;
+}
+
 }  // namespace
 
 Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& settings, const Job& job,
@@ -76,37 +111,19 @@ Expected<Tracing> Tracing::prepare(Programs& programs, const CompileSettings& se
   tracing.stage_ = request.stage;
   tracing.parameters_ = withStageDefaults(request.parameters, **stage, job.size);
   tracing.technique_ = std::move(*technique);
-  std::vector<FramePass> march = tracePasses(shaderOf(**stage, tracing.parameters_), tracing.technique_);
-  if (request.peer) {
-    march = {peerTrace(*request.peer)};
-    std::vector<FramePass>& before = tracing.technique_.before_trace;
-    before.insert(before.begin(), peerInputs(*request.peer));
-    std::vector<FramePass>& after = tracing.technique_.after_sample;
-    after.insert(after.begin(), peerAnswer(*request.peer));
-  } else {
-    drawWhereRaysStart(tracing.technique_);  // a peer's trace has no depth
-  }
-  auto trace = preparePasses(programs, settings, march, progress);
+  auto trace = prepareTrace(programs, settings, request, shaderOf(**stage, tracing.parameters_),
+                            tracing.technique_, progress);
   if (!trace) {
     return tl::make_unexpected(trace.error());
-  }
-  if (request.peer) {
-    if (const auto checked = checkPeerNames(*request.peer, *trace->back().program); !checked) {
-      return tl::make_unexpected(checked.error());
-    }
   }
   tracing.trace_ = std::move(*trace);
   tracing.layout_ = pyramidLayoutOf(*tracing.trace_.back().program);
   if (tracing.layout_ != PyramidLayout::kNone) {
-    for (const auto& [row, program] : {std::pair{&pyramidBasePass(), &tracing.pyramid_.base},
-                                       std::pair{&pyramidReducePass(), &tracing.pyramid_.reduce}}) {
-      progress("compile " + row->name);
-      const auto compiled = programs.get(*row, settings);
-      if (!compiled) {
-        return tl::make_unexpected(compiled.error());
-      }
-      *program = *compiled;
+    const auto pyramid = pyramidPrograms(programs, settings, progress);
+    if (!pyramid) {
+      return tl::make_unexpected(pyramid.error());
     }
+    tracing.pyramid_ = *pyramid;
   }
   for (const auto& [passes, prepared] :
        {std::pair{&tracing.technique_.before_pyramid, &tracing.before_pyramid_},
