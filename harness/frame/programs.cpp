@@ -161,9 +161,9 @@ Expected<const Program*> Programs::get(const PassRow& pass, const CompileSetting
   const auto replacement = settings.replacements.find(pass.name);
   const bool is_replaced = replacement != settings.replacements.end();
   const std::string key =
-      fmt::format("{}|{}|{}|{}|{}{}", pass.name, settings.shader_root.string(),
+      fmt::format("{}|{}|{}|{}|{}|{}{}", pass.name, settings.shader_root.string(),
                   is_replaced ? replacement->second.string() : "", static_cast<int>(settings.form),
-                  static_cast<int>(pass.depth_test), keyOf(pass.constants));
+                  static_cast<int>(pass.depth_test), pass.colour_formats.size(), keyOf(pass.constants));
   const auto kept = kept_.find(key);
   if (kept != kept_.end() && !is_replaced) {
     return &kept->second;
