@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -21,19 +22,21 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // when even the whole range falls short of the confidence.
 std::optional<std::size_t> samplesOutside(std::size_t count, double confidence) {
   const double largest_tail = (1.0 - confidence) / 2.0;
-  double term = std::pow(0.5, static_cast<double>(count));  // P(exactly k of n samples lie below the median)
-  double tail = term;
+  const auto n = static_cast<double>(count);
+  // The logarithm of P(exactly k of n samples lie below the median): 0.5^n itself is 0 above 1074 samples.
+  double log_term = -n * std::numbers::ln2;
+  double tail = std::exp(log_term);
   if (tail > largest_tail) {
     return std::nullopt;
   }
   std::size_t outside = 0;
   while (2 * (outside + 1) < count) {
     const double k = static_cast<double>(outside + 1);
-    term *= (static_cast<double>(count) - k + 1.0) / k;
-    if (tail + term > largest_tail) {
+    log_term += std::log((n - k + 1.0) / k);
+    tail += std::exp(log_term);
+    if (tail > largest_tail) {
       break;
     }
-    tail += term;
     ++outside;
   }
   return outside;

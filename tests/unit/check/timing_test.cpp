@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "check/paired_ratio.h"
@@ -103,6 +104,31 @@ TEST(MedianInterval, RunsBetweenTheSameOrderStatistics) {
   EXPECT_EQ(interval->low, 3.0);
   EXPECT_EQ(interval->high, 13.0);
   EXPECT_FALSE(medianInterval(std::span(samples_ms).first(7)).has_value());
+}
+
+// Worked out with whole numbers of any length: the most that may be left out on a side, so that P(at most
+// that many of n below the median) <= 0.005, and <= 0.00005. The normal approximation says the same, n / 2 -
+// 0.5 - 2.5758 (3.8906) * sqrt(n) / 2.
+TEST(MedianInterval, IsAsWideForManyRoundsAsTheBinomialSays) {
+  struct Known {
+    std::size_t count;
+    double outside;
+    double surely_outside;
+  };
+  for (const Known& known : {Known{1074, 494, 472}, Known{1075, 494, 473}, Known{1100, 506, 485},
+                             Known{1200, 554, 532}, Known{2000, 941, 912}}) {
+    std::vector<double> samples(known.count);
+    std::iota(samples.begin(), samples.end(), 0.0);
+    const auto last = static_cast<double>(known.count - 1);
+    const auto interval = medianInterval(samples);
+    ASSERT_TRUE(interval.has_value());
+    EXPECT_EQ(interval->low, known.outside) << known.count;
+    EXPECT_EQ(interval->high, last - known.outside) << known.count;
+    EXPECT_EQ(interval->sure_low, known.surely_outside) << known.count;
+    const auto n = static_cast<double>(known.count);
+    EXPECT_NEAR(known.outside, n / 2.0 - 0.5 - 2.5758 * std::sqrt(n) / 2.0, 1.0);
+    EXPECT_NEAR(known.surely_outside, n / 2.0 - 0.5 - 3.8906 * std::sqrt(n) / 2.0, 1.0);
+  }
 }
 
 TEST(UnpairedRatio, EachSideMayLieAnywhereInItsOwnInterval) {
