@@ -121,8 +121,11 @@ SceneRun Suite::runOnce(const TestFile& test, const SceneSource& source) {
   for (const Size size : source.gbuffer != nullptr ? std::vector{source.gbuffer->camera.size} : sizes) {
     runSize(test, source, size, truths, run);
   }
+  // None without rounds: nothing is to be timed, and the lane reads the cells meanwhile.
   for (int part = 1; part < options_.parts; ++part) {
-    runAgain(test, source, part, run);
+    if (roundsOfPart(test.rounds, part, options_.parts) > 0) {
+      runAgain(test, source, part, run);
+    }
   }
   if (std::ranges::any_of(run.cells, [](const CellRun& cell) { return isLargeFrame(cell.size); })) {
     workers_.rest();

@@ -54,6 +54,14 @@ class Gates(GatesTest):
         self.assert_exit(4, result)
         self.assertIn("1 inconclusive", result.out)
 
+    def test_what_is_not_timed_is_drawn_once(self):
+        fault = {"SSRKIT_FAULT": "crash:draw gbuffer;after=read back"}  # when the job is drawn again
+        once = self.gates(GATE.replace("rounds = 8\n", ""), **fault)
+        self.assert_exit(0, once)
+        again = self.gates(GATE, **fault)
+        self.assert_exit(1, again)
+        self.assertIn("draw gbuffer", again.out)
+
     def test_what_is_wrong_with_a_file_is_named_with_its_place(self):
         for change, words in ((("mean_lookups", "mean_lockups"), ("tiny.toml:11:10", "did you mean 'mean_lookups'?")),
                               (("max = 10000", "maxi = 10000"), ("tiny.toml:13:1", "maxi")),
