@@ -91,13 +91,6 @@ void addImageWrite(const std::filesystem::path& file, Image& image, Writes& writ
   writes.of_one.push_back([file, &image] { return writeExr(file, takeOut(image)); });
 }
 
-void addRecordWrite(const std::filesystem::path& file, RayRecord& record, Writes& writes) {
-  writes.of_one.push_back([file, &record] {
-    const Image image = toImage(takeOut(record));
-    return writeExr(file, image);
-  });
-}
-
 void addTraceWrites(const std::filesystem::path& folder, TraceResult& trace, Writes& writes) {
   Image* const composite = imageOf(trace, "composite");
   Image* const reflection = imageOf(trace, "reflection");
@@ -113,7 +106,10 @@ void addTraceWrites(const std::filesystem::path& folder, TraceResult& trace, Wri
       addImageWrite(folder / (name + ".exr"), image, writes);
     }
   }
-  addRecordWrite(folder / "hit.exr", trace.record, writes);
+  writes.of_one.push_back([=, &trace] {
+    const Image image = toImage(takeOut(trace.record));
+    return writeExr(folder / "hit.exr", image);
+  });
 }
 
 void addCellWrites(const std::filesystem::path& folder, CellRun& cell, const SceneRun& run,
@@ -145,7 +141,10 @@ void addOracleWrites(const std::filesystem::path& folder, CellRun& cell, Writes&
     writes.of_one.push_back(
         [=, &truth] { return writeExr(folder / "geometry.exr", toImage(*truth.geometry, *verdicts)); });
   }
-  addRecordWrite(folder / "hit.exr", truth.result.record, writes);
+  writes.of_one.push_back([=, &truth] {
+    const Image image = toImage(takeOut(truth.result));
+    return writeExr(folder / "hit.exr", image);
+  });
 }
 
 // What the cells of all devices share.

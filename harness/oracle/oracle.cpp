@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "base/check.h"
 #include "oracle/cell_walk.h"
@@ -85,6 +87,27 @@ Expected<void> checkInput(const OracleInput& input) {
         return input.mask == nullptr ? Expected<void>() : checkImage(*input.mask, "mask", size, 1, 1);
       })
       .and_then([&] { return checkParameters(input.parameters); });
+}
+
+// Row by row: a second whole image would be a quarter of a gigabyte at 3840x2160.
+Image toImage(const OracleResult& result) {
+  const Size size = result.record.size;
+  const auto width = static_cast<std::size_t>(size.width);
+  SSRKIT_CHECK_EQ(result.ambiguity.size(), result.record.rays.size());
+  std::vector<std::string> channels = toImage(RayRecord{}).channels;
+  const std::size_t tie = channels.size();
+  channels.emplace_back("tie");
+  Image image(size, std::move(channels));
+  float* out = image.data.data();
+  for (std::size_t first = 0; first < result.record.rays.size(); first += width) {
+    const auto ray = result.record.rays.begin() + static_cast<std::ptrdiff_t>(first);
+    const Image row = toImage(RayRecord{{size.width, 1}, {ray, ray + size.width}});
+    for (std::size_t x = 0; x < width; ++x) {
+      out = std::copy_n(&row.data[x * tie], tie, out);
+      *out++ = static_cast<float>(result.ambiguity[first + x]);
+    }
+  }
+  return image;
 }
 
 Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count) {

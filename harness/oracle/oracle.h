@@ -29,7 +29,8 @@ struct OracleInput {
 // Fails on images whose size or channels do not fit the camera, and on parameters outside the contract.
 [[nodiscard]] Expected<void> checkInput(const OracleInput& input);
 
-// Why a ray's answer is a tie in single precision. Such rays are listed and capped, never dropped silently.
+// Why a ray's answer is a tie in single precision. Such rays are listed (oracle/hit.exr, `tie`) and capped,
+// never dropped silently. The numbers are part of the file format (docs/formats.md).
 enum class Ambiguity : std::uint8_t {
   kNone = 0,
   kDepth,     // a column's near or far depth is met within 5e-6 relative
@@ -42,6 +43,9 @@ struct OracleResult {
   std::vector<Ambiguity> ambiguity;  // one a pixel
   // Cells crossed by the ray up to its hit in order are not stored; see `cellsOf`.
 };
+
+// The record's channels, and `tie`: the ray's Ambiguity.
+[[nodiscard]] Image toImage(const OracleResult& result);
 
 // The whole image, on `thread_count` threads (0: one for each core). Fails where checkInput does.
 [[nodiscard]] Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count = 0);

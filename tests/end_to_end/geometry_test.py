@@ -54,6 +54,16 @@ class Files(kit.KitTest):
             self.assertEqual(of_class["rays"], of_trace["oracle"]["SAME"] + of_trace["oracle"]["AMBIGUOUS"], name)
         self.assertGreater(row["true_classes"]["VISIBLE"]["rays"], 0.5 * row["rays"])
 
+    def test_the_oracles_record_names_as_many_ties_as_are_counted(self):
+        self.assert_exit(0, self.trace(scene="clutter", stage="hiz", size="160x90"))
+        hit = exr.read(self.path("out/clutter/oracle/hit.exr")).channels
+        ties = [tie for tie, ray_class in zip(hit["tie"], hit["class"]) if ray_class > 1]  # of pixels with a ray
+        (share,) = (check["value"] for check in kit.read_json(self.path("out/results.json"))["checks"]
+                    if check["metric"] == "ambiguous_share")
+        self.assertGreater(share, 0)
+        self.assertAlmostEqual(share, sum(tie > 0 for tie in ties) / len(ties))
+        self.assertLessEqual(set(hit["tie"]), {0, 1, 2, 3})
+
     def test_is_traced_over_the_first_device_alone(self):
         self.assert_exit(0, self.trace("--device", "vk-lavapipe", scene="m3", stage="walk"))
         results = kit.read_json(self.path("out/results.json"))

@@ -136,6 +136,28 @@ TEST(OracleAmbiguity, AColumnMetWithin2e5RelativeIsADepthTie) {
   EXPECT_EQ(flagAt(trace(scene, parameters), 110, 100), Ambiguity::kNone);
 }
 
+TEST(OracleImage, NamesTheTiesBesideTheRecordsOwnChannels) {
+  AnalyticScene scene = sceneM4({201, 201});
+  scene.dist_view.at(120, 100) = 4.000001F;
+  const OracleResult result = trace(scene);
+  ASSERT_EQ(flagAt(result, 100, 100), Ambiguity::kDepth);
+  const Image image = toImage(result);
+  const Image record = toImage(result.record);
+  ASSERT_EQ(image.channelCount(), record.channelCount() + 1);
+  EXPECT_EQ(image.channels.back(), "tie");
+  for (std::size_t texel = 0; texel < image.texelCount(); ++texel) {
+    const float* const ours = &image.data[texel * image.channelCount()];
+    const float* const plain = &record.data[texel * record.channelCount()];
+    ASSERT_TRUE(std::equal(plain, plain + record.channelCount(), ours)) << texel;
+    ASSERT_EQ(ours[record.channelCount()], static_cast<float>(result.ambiguity[texel])) << texel;
+  }
+  // The numbers of docs/formats.md.
+  EXPECT_EQ(image.at(100, 100, record.channelCount()), 1.0F);
+  EXPECT_EQ(static_cast<int>(Ambiguity::kPosition), 2);
+  EXPECT_EQ(static_cast<int>(Ambiguity::kEnd), 3);
+  EXPECT_TRUE(rayRecordFromImage(image, "hit.exr").has_value());
+}
+
 TEST(OracleAmbiguity, AColumnThatALateralRayMissesByTwoFloatsIsADepthTie) {
   // The principal ray of m4 keeps dist_view 4: no step along it, however small, brings it nearer to a column.
   AnalyticScene scene = sceneM4({201, 201});
