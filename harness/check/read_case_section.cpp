@@ -67,6 +67,9 @@ Expected<TestCase> readCaseSection(const TomlValue& table, const TestFile& test,
   if (!fields.ok()) {
     return tl::make_unexpected(fields.result().error());
   }
+  if (isThicknessRelativeAlone(test_case.parameters)) {
+    test_case.parameters.emplace_back("thickness_m", "0");
+  }
   return test_case;
 }
 

@@ -148,6 +148,9 @@ Expected<TestFile> standardTest(const RunOptions& options, const KitPaths& paths
     }
     test.cases.front().parameters.emplace_back(name, value);
   }
+  if (isThicknessRelativeAlone(test.cases.front().parameters)) {
+    test.cases.front().parameters.emplace_back("thickness_m", "0");
+  }
   if (const auto chosen = chooseTechniques(options, test); !chosen) {
     return tl::make_unexpected(chosen.error());
   }

@@ -4,17 +4,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "base/error.h"
 #include "base/size.h"
 #include "spaces/trace_parameters.h"
 
 namespace ssrkit {
-
-// Names and values of parameters, as setParameter reads them.
-using ParameterList = std::vector<std::pair<std::string, std::string>>;
 
 struct Stage {
   std::string name;            // "hiz"

@@ -36,6 +36,9 @@ class DefaultsReader {
         return tl::make_unexpected(set.error());
       }
     }
+    if (isThicknessRelativeAlone(written_)) {
+      defaults_.parameters.thickness_m = 0.0;
+    }
     return std::move(defaults_);
   }
 
@@ -102,6 +105,7 @@ class DefaultsReader {
     } else {
       return refuse(value.source(), fmt::format("'{}' must be a number or text", name));
     }
+    written_.emplace_back(name, text);
     return setParameter(defaults_.parameters, name, text, placeOf(value.source()));
   }
 
@@ -159,6 +163,7 @@ class DefaultsReader {
 
   std::filesystem::path file_;
   SceneDefaults defaults_;
+  ParameterList written_;
 };
 
 }  // namespace

@@ -107,6 +107,19 @@ Expected<void> setParameter(TraceParameters& parameters, std::string_view name, 
   return {};
 }
 
+bool isThicknessRelativeAlone(const ParameterList& written) {
+  bool is_relative = false;
+  for (const auto& [name, value] : written) {
+    if (name == "thickness_m") {
+      return false;
+    }
+    if (name == "thickness_rel") {
+      is_relative = parseNumber(value).value_or(0.0) > 0.0;
+    }
+  }
+  return is_relative;
+}
+
 std::span<const std::string> parameterNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;

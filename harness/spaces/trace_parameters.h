@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 
@@ -13,9 +15,12 @@ namespace ssrkit {
 
 enum class TracerForm { kTextbook, kTuned };
 
+// Names and values of parameters, as setParameter reads them.
+using ParameterList = std::vector<std::pair<std::string, std::string>>;
+
 struct TraceParameters {
   double thickness_m = std::numeric_limits<double>::infinity();  // depth of every texel's column
-  double thickness_rel = 0.0;  // added to it, as a fraction of dist_view; alone when thickness_m is 0
+  double thickness_rel = 0.0;                                    // added to it, as a fraction of dist_view
   double max_distance_m = std::numeric_limits<double>::infinity();
   double origin_bias = 0.0;   // along the normal, as a fraction of dist_view
   int lookup_budget = 60000;  // the default never binds
@@ -35,6 +40,11 @@ struct TraceParameters {
 // values that are no numbers, and on values outside the parameter's range. `where` names the file or option.
 [[nodiscard]] Expected<void> setParameter(TraceParameters& parameters, std::string_view name,
                                           std::string_view value, const std::string& where);
+
+// Whether parameters that are written together (one file, one [[case]], all --param of a command) give a
+// thickness_rel over 0 and no thickness_m. The thickness is then relative alone, thickness_rel * dist_view:
+// whoever reads them sets thickness_m to 0, whatever it was.
+[[nodiscard]] bool isThicknessRelativeAlone(const ParameterList& written);
 
 // Every parameter's name, in the order of the struct.
 [[nodiscard]] std::span<const std::string> parameterNames();

@@ -142,6 +142,14 @@ class Parameters(CommandLineTest):
         self.assert_exit(0, result)
 
 
+    def test_a_relative_thickness_alone_is_the_whole_thickness(self):
+        for more, thickness_m in (((), 0), (("--param", "thickness_m=0.25"), 0.25)):
+            self.assert_exit(0, self.trace("--param", "thickness_rel=0.05", *more))
+            (trace,) = kit.read_json(self.path("out/results.json"))["traces"]
+            self.assertEqual((thickness_m, 0.05), (trace["parameters"]["thickness_m"],
+                                                   trace["parameters"]["thickness_rel"]))
+
+
 class Replacements(CommandLineTest):
     def test_not_pass_equals_file(self):
         for text in ("trace_dda", "=a.frag", "trace_dda=", ""):

@@ -93,6 +93,17 @@ TEST(ReadExpectations, AGoodFileIsReadWhole) {
   EXPECT_EQ(second.where, "t.toml:22:1");
 }
 
+TEST(ReadExpectations, ACasesThicknessIsRelativeAloneWhereItGivesNoneInMetres) {
+  const Expected<TestFile> test = readExpectations(changed("thickness_m = 0\n", ""), "t.toml");
+  ASSERT_TRUE(test.has_value()) << sentence(test.error());
+  TraceParameters parameters{.thickness_m = 0.3};  // the scene's
+  for (const auto& [name, value] : test->cases[1].parameters) {
+    ASSERT_TRUE(setParameter(parameters, name, value, "").has_value()) << name;
+  }
+  EXPECT_EQ(parameters.thickness_m, 0.0);
+  EXPECT_EQ(parameters.thickness_rel, 0.05);
+}
+
 TEST(ReadExpectations, WhatIsNoTomlIsRefusedWithItsPlace) {
   EXPECT_COMPLAINT("[test]\nid = \n", "t.toml:2:", "could not read the expectations 't.toml'");
   EXPECT_COMPLAINT("[test]\nid = \"a\"\nid = \"b\"\n", "t.toml:3:");

@@ -70,6 +70,19 @@ TEST(SceneDefaults, OfAnEmptyFileAreTheContracts) {
   EXPECT_FALSE(defaults->light_direction_world);
 }
 
+TEST(SceneDefaults, AThicknessIsRelativeAloneWhereNoneInMetresIsGiven) {
+  const auto alone = load("thickness_rel = 0.05");
+  ASSERT_TRUE(alone) << sentence(alone.error());
+  EXPECT_EQ(alone->parameters.thickness_m, 0.0);
+  EXPECT_EQ(alone->parameters.thickness_rel, 0.05);
+  for (const char* both :
+       {"thickness_rel = 0.05\nthickness_m = inf", "thickness_m = inf\nthickness_rel = 0.05"}) {
+    const auto sum = load(both);
+    ASSERT_TRUE(sum) << sentence(sum.error());
+    EXPECT_TRUE(std::isinf(sum->parameters.thickness_m));
+  }
+}
+
 TEST(SceneDefaults, AnUnknownKeyIsRefusedAtItsPlace) {
   EXPECT_NE(refusal("about = \"x\"\n  thicknes_m = 1\n")
                 .find("a.toml:2:3: could not read the scene's defaults: there is no key 'thicknes_m'; did "

@@ -29,6 +29,15 @@ TEST(TraceParameters, TakeNumbersWordsAndInfinity) {
   EXPECT_EQ(parameters.form, TracerForm::kTextbook);
 }
 
+TEST(TraceParameters, AThicknessIsRelativeAloneWhereNoneInMetresIsWrittenBesideIt) {
+  EXPECT_TRUE(isThicknessRelativeAlone({{"jitter", "1"}, {"thickness_rel", "0.05"}}));
+  EXPECT_FALSE(isThicknessRelativeAlone({{"thickness_rel", "0.05"}, {"thickness_m", "0.3"}}));
+  EXPECT_FALSE(isThicknessRelativeAlone({{"thickness_m", "inf"}, {"thickness_rel", "0.05"}}));
+  EXPECT_FALSE(isThicknessRelativeAlone({{"thickness_rel", "0"}}));
+  EXPECT_FALSE(isThicknessRelativeAlone({{"thickness_m", "0.3"}}));
+  EXPECT_FALSE(isThicknessRelativeAlone({}));
+}
+
 struct BadValue {
   const char* name;
   const char* value;
