@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "oracle/cell_walk.h"
-#include "oracle/image_ray.h"
 
 namespace ssrkit {
 
@@ -37,18 +37,21 @@ OnPath onPath(const ImageRay& ray, int x, int y) {
 }  // namespace
 
 LeakClassifier::LeakClassifier(const OracleInput& input)
-    : input_(input), projection_(pixelProjection(*input.camera)) {}
+    : input_(input), projection_(pixelProjection(*input.camera)) {
+  SSRKIT_CHECK(checkInput(input).has_value());  // here and not for every turn of every ray
+}
 
-std::optional<LeakClassifier::TexelAt> LeakClassifier::firstHit(int x, int y) const {
+std::optional<LeakClassifier::TexelAt> LeakClassifier::firstHit(const ImageRay& ray, int x, int y) const {
   OracleInput input = input_;
   input.dist_view = &depth_without_;
-  const std::vector<WalkCell> cells = cellsOf(input, x, y);
+  const ColumnField field = columnField(input);
+  const std::vector<WalkCell> cells = walkCells(field, ray, x, y);
   if (cells.empty()) {
     return std::nullopt;
   }
   const WalkCell& last = cells.back();
   const auto [nearest_m, farthest_m] = std::minmax(last.dist_in, last.dist_out);
-  const Column column = columnField(input).column(last.x, last.y);
+  const Column column = field.column(last.x, last.y);
   const bool is_hit = overlaps(column, 1.0 / farthest_m, 1.0 / nearest_m);
   return is_hit ? std::optional(TexelAt{last.x, last.y}) : std::nullopt;
 }
@@ -66,7 +69,7 @@ bool LeakClassifier::isLeak(const RayHit& answer, int x, int y) {
   bool done = false;
   // Each turn takes one texel away, so there are at most as many turns as the ray crosses texels.
   for (int turn = input_.dist_view->size.width + input_.dist_view->size.height; !done && turn >= 0; --turn) {
-    const std::optional<TexelAt> hit = firstHit(x, y);
+    const std::optional<TexelAt> hit = firstHit(pixel.ray, x, y);
     if (!hit) {
       leak = answer.ray_class == pixel.ray.end_class && !removed.empty();
       break;

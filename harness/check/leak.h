@@ -10,6 +10,7 @@
 
 #include "image/image.h"
 #include "image/ray_record.h"
+#include "oracle/image_ray.h"
 #include "oracle/oracle.h"
 
 namespace ssrkit {
@@ -31,7 +32,7 @@ class LeakClassifier {
     int x;
     int y;
   };
-  [[nodiscard]] std::optional<TexelAt> firstHit(int x, int y) const;
+  [[nodiscard]] std::optional<TexelAt> firstHit(const ImageRay& ray, int x, int y) const;
 
   Image depth_without_;  // dist_view with the texels off the path removed, restored after each ray
   OracleInput input_;

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "oracle/cell_walk.h"
 #include "oracle/image_ray.h"
 
 namespace ssrkit {
@@ -163,17 +164,21 @@ bool losesLastRowOrColumn(const SignatureInput& input) {
 bool ignoresThickness(const SignatureInput& input) {
   const OracleInput* world = input.self.oracle_input;
   const TraceParameters& parameters = input.self.parameters;
-  const bool finite = std::isfinite(parameters.thickness_m);
-  return world != nullptr && finite && mostOf(input.wrong, [&](const RayPair& pair) {
-           const std::vector<WalkCell> cells =
-               youHit(pair) ? cellsOf(*world, pair.x, pair.y) : std::vector<WalkCell>{};
-           return std::ranges::any_of(cells, [&](const WalkCell& cell) {
-             const double near_m = world->dist_view->at(cell.x, cell.y);
-             const double far_m = near_m + parameters.thickness_m + parameters.thickness_rel * near_m;
-             return cell.x == pair.yours->texel_x && cell.y == pair.yours->texel_y &&
-                    std::min(cell.dist_in, cell.dist_out) >= far_m;
-           });
-         });
+  if (world == nullptr || !std::isfinite(parameters.thickness_m)) {
+    return false;
+  }
+  const PixelProjection projection = pixelProjection(*world->camera);
+  const ColumnField field = columnField(*world);
+  return mostOf(input.wrong, [&](const RayPair& pair) {
+    const PixelRay pixel = pixelRay(*world, projection, pair.x, pair.y);
+    const std::vector<WalkCell> cells = youHit(pair) && pixel.is_walked
+                                            ? walkCells(field, pixel.ray, pair.x, pair.y)
+                                            : std::vector<WalkCell>{};
+    return std::ranges::any_of(cells, [&](const WalkCell& cell) {
+      return cell.x == pair.yours->texel_x && cell.y == pair.yours->texel_y &&
+             std::min(cell.dist_in, cell.dist_out) >= field.column(cell.x, cell.y).far_dist;
+    });
+  });
 }
 
 bool neverHits(const SignatureInput& input) {
