@@ -7,8 +7,8 @@
 
 #include "base/atomic_file.h"
 #include "base/hash128.h"
+#include "base/size.h"
 #include "check/golden_note.h"
-#include "check/size_text.h"
 #include "image/exr.h"
 
 namespace ssrkit {

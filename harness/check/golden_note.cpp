@@ -5,7 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "check/size_text.h"
+#include "base/size.h"
 
 namespace ssrkit {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/size.h"
 #include "check/evaluate.h"
-#include "check/size_text.h"
 
 namespace ssrkit {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/size.h"
 #include "check/measure.h"
 #include "check/measure_image_pair.h"
 #include "check/percentile.h"
-#include "check/size_text.h"
 
 namespace ssrkit {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/size.h"
 #include "check/signatures.h"
-#include "check/size_text.h"
 
 namespace ssrkit {
 

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <limits>
 
+#include "base/size.h"
 #include "base/text.h"
 #include "check/field_reader.h"
 #include "check/read_metric_keys.h"
-#include "check/size_text.h"
 
 namespace ssrkit {
 

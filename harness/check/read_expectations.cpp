@@ -6,11 +6,11 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "base/size.h"
 #include "base/text.h"
 #include "check/field_reader.h"
 #include "check/read_case_section.h"
 #include "check/read_expect_section.h"
-#include "check/size_text.h"
 
 namespace ssrkit {
 
@@ -45,7 +45,7 @@ Expected<void> readTestSection(const TomlValue& table, const KnownNames& known, 
   for (const std::string& text : fields.optionalTexts("sizes")) {
     const std::optional<Size> size = parseSize(text);
     if (!size) {
-      fields.complain("sizes", fmt::format("'{}' is no size of 1 to 16384 texels a side", text),
+      fields.complain("sizes", fmt::format("'{}' is no size of 1 to {} texels a side", text, kMaxImageSide),
                       "write it as \"640x360\"");
       break;
     }

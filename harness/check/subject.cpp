@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "check/size_text.h"
+#include "base/size.h"
 
 namespace ssrkit {
 

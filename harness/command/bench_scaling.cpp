@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "check/size_text.h"
+#include "base/size.h"
 #include "command/bench_work.h"
 #include "command/run_rows.h"
 #include "scene/find_scene.h"

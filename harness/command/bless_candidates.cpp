@@ -9,8 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "base/hash128.h"
+#include "base/size.h"
 #include "check/judge.h"
-#include "check/size_text.h"
 #include "command/golden_shelf.h"
 #include "frame/stages.h"
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <set>
 
 #include "base/check.h"
+#include "base/size.h"
 #include "check/read_expectations.h"
 #include "command/device_threads.h"
 #include "command/parameters_file.h"
@@ -183,25 +183,16 @@ Expected<std::optional<EnvironmentChoice>> environment(const RunOptions& options
       .map([](EnvironmentChoice choice) { return std::optional(std::move(choice)); });
 }
 
-}  // namespace
-
-Expected<Size> parseSize(const std::string& text) {
-  constexpr int kMaxSide = 16384;
-  Size size;
-  const char* const end = text.data() + text.size();
-  const auto [after_width, width_error] = std::from_chars(text.data(), end, size.width);
-  const bool has_separator = width_error == std::errc() && after_width != end && *after_width == 'x';
-  const auto [after_height, height_error] = has_separator
-                                                ? std::from_chars(after_width + 1, end, size.height)
-                                                : std::from_chars_result{end, std::errc::invalid_argument};
-  if (height_error != std::errc() || after_height != end || size.width < 1 || size.height < 1 ||
-      size.width > kMaxSide || size.height > kMaxSide) {
-    return inputError("read the size",
-                      fmt::format("'{}' is not WIDTHxHEIGHT with sides from 1 to {}", text, kMaxSide),
-                      "--size", "write for example --size 640x360");
-  }
-  return size;
+Expected<Size> readSize(const std::string& text) {
+  const std::optional<Size> size = parseSize(text);
+  return size ? Expected<Size>(*size)
+              : inputError(
+                    "read the size",
+                    fmt::format("'{}' is not WIDTHxHEIGHT with sides from 1 to {}", text, kMaxImageSide),
+                    "--size", "write for example --size 640x360");
 }
+
+}  // namespace
 
 void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
   const bool is_dense = parameters.stride_px == 1 && parameters.jitter == 0.0;
@@ -222,7 +213,7 @@ Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& path
     return inputError("validate", "none of the devices is a Vulkan one", "--validate",
                       "add --device vk-lavapipe");
   }
-  const auto size = parseSize(options.size);
+  const auto size = readSize(options.size);
   auto test = size ? standardTest(options, paths) : tl::make_unexpected(size.error());
   auto replaced = test ? replacements(options) : tl::make_unexpected(test.error());
   auto lit_by = replaced ? environment(options, *test) : tl::make_unexpected(replaced.error());

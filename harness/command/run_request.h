@@ -13,9 +13,6 @@
 
 namespace ssrkit {
 
-// "640x360": two whole numbers from 1 to 16384.
-[[nodiscard]] Expected<Size> parseSize(const std::string& text);
-
 struct RunRequest {
   Size size;
   TestFile test;  // the built-in checks for any scene, with the chosen stages and parameters

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "base/size.h"
 #include "device/pass_clock.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr int kMaxImageSide = 16384;
 constexpr PassTime kNoTime{.wall_ns = 0, .cpu_ns = 0, .device_ns = 0};
 
 Size levelSize(Size padded, int level) {

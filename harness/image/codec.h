@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/size.h"
 #include "image/byte_image.h"
 #include "image/glyph_cache.h"
 #include "image/image.h"
 
 namespace ssrkit {
 
-inline constexpr int kMaxImageSide = 16384;  // texels
 inline constexpr int kMaxImageChannels = 1024;
 inline constexpr long long kMaxImageBytes = 2LL << 30;  // decoded
 

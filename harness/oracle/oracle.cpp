@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/size.h"
 #include "oracle/cell_walk.h"
 #include "oracle/image_ray.h"
 #include "oracle/rows.h"
@@ -16,10 +17,6 @@ namespace ssrkit {
 namespace {
 
 constexpr const char* kAttempted = "trace the oracle's rays";
-
-std::string sizeText(Size size) {
-  return fmt::format("{}x{}", size.width, size.height);
-}
 
 Expected<void> checkImage(const Image& image, std::string_view image_name, Size size,
                           std::size_t least_channels, std::size_t most_channels) {

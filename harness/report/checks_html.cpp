@@ -7,8 +7,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/size.h"
 #include "check/outcome.h"
-#include "check/size_text.h"
 #include "report/checks_page.h"
 #include "report/finding_picture.h"
 #include "report/html_text.h"

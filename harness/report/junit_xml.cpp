@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "check/size_text.h"
+#include "base/size.h"
 #include "report/check_text.h"
 #include "report/plain_utf8.h"
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/size.h"
 #include "scene/clean_name.h"
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_uri.h"
@@ -16,7 +17,6 @@ namespace ssrkit {
 
 namespace {
 
-constexpr int kMaxSide = 16384;
 constexpr std::size_t kMaxDecodedBytes = std::size_t{256} << 20;
 constexpr std::size_t kMaxMetadataBytes = std::size_t{1} << 20;
 
@@ -82,10 +82,10 @@ std::string complaint(Bytes bytes) {
     return "its header is broken";
   }
   const std::size_t decoded_bytes =
-      size->width > kMaxSide || size->height > kMaxSide ? 0 : size->width * size->height * 4;
+      size->width > kMaxImageSide || size->height > kMaxImageSide ? 0 : size->width * size->height * 4;
   if (decoded_bytes == 0 || decoded_bytes > kMaxDecodedBytes) {
     return fmt::format("it is {}x{} and the limits are {} a side and 256 MiB decoded", size->width,
-                       size->height, kMaxSide);
+                       size->height, kMaxImageSide);
   }
   if (bytes.size() > kMaxMetadataBytes + 4 * decoded_bytes) {
     return fmt::format("it is {}x{} and takes {} bytes", size->width, size->height, bytes.size());

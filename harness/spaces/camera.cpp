@@ -67,11 +67,10 @@ glm::dmat4 perspective(double fov_y_rad, double aspect, double near_m, double fa
 }
 
 Expected<void> validate(const Camera& camera, const std::string& attempted) {
-  constexpr int kMaxSize = 16384;
   const auto [width, height] = camera.size;
-  if (width < 1 || height < 1 || width > kMaxSize || height > kMaxSize) {
-    return inputError(
-        attempted, fmt::format("the size {}x{} is outside 1x1 to {}x{}", width, height, kMaxSize, kMaxSize));
+  if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide) {
+    return inputError(attempted, fmt::format("the size {}x{} is outside 1x1 to {}x{}", width, height,
+                                             kMaxImageSide, kMaxImageSide));
   }
   if (!isFinite(camera.clip_from_view) || !isFinite(camera.view_from_world) ||
       !isFinite(camera.previous_view_from_world.value_or(glm::dmat4(1.0)))) {

@@ -4,13 +4,12 @@
 #include <type_traits>
 #include <variant>
 
+#include "base/size.h"
 #include "worker/archive.h"
 
 namespace ssrkit {
 
 namespace {
-
-constexpr int kMaxImageSide = 16384;
 
 bool isPlausible(Size size) {
   return size.width >= 0 && size.width <= kMaxImageSide && size.height >= 0 && size.height <= kMaxImageSide;
