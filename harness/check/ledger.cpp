@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "check/ray_bits.h"
 
 namespace ssrkit {
 
@@ -26,10 +27,6 @@ std::int64_t orderOf(float value, FloatFormat format) {
                                     : kPlaceOfLeastNormal + (magnitude - kBitsOfLeastNormal) / kFloatsPerHalf;
   }
   return std::signbit(value) ? -magnitude : magnitude;
-}
-
-bool sameBits(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
 // What is known of one texel, channel after channel.
@@ -65,10 +62,6 @@ void add(const TexelComparison& texel, LedgerEntry& entry) {
   ++entry.ulps.at(ulpBin(texel.ulps));
   entry.max_ulps = std::max(entry.max_ulps, texel.ulps);
   entry.max_relative = std::max(entry.max_relative, texel.relative);
-}
-
-bool hasRay(const RayHit& hit) {
-  return hit.ray_class != RayClass::kMasked && hit.ray_class != RayClass::kBackground;
 }
 
 TexelComparison compareRays(const RayHit& a, const RayHit& b) {
@@ -152,7 +145,7 @@ LedgerEntry compareForLedger(const RayRecord& a, const RayRecord& b) {
   SSRKIT_CHECK(a.size == b.size);
   LedgerEntry entry;
   for (std::size_t i = 0; i < a.rays.size(); ++i) {
-    if (hasRay(a.rays[i]) || hasRay(b.rays[i])) {
+    if (!hasNoRay(a.rays[i].ray_class) || !hasNoRay(b.rays[i].ray_class)) {
       add(compareRays(a.rays[i], b.rays[i]), entry);
     }
   }

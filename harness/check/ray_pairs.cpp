@@ -62,10 +62,6 @@ ExpectedRecord expectedRecord(const Subject& subject, const Truth& truth) {
 
 }  // namespace
 
-bool hasNoRay(RayClass ray_class) {
-  return ray_class == RayClass::kMasked || ray_class == RayClass::kBackground;
-}
-
 bool sameAnswer(const RayHit& a, const RayHit& b) {
   return a.ray_class == b.ray_class && a.texel_x == b.texel_x && a.texel_y == b.texel_y;
 }

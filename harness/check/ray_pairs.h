@@ -28,9 +28,6 @@ struct RayPairs {
 // The subject's record beside the truth's: the oracle's or another answer's.
 [[nodiscard]] RayPairs pairRays(const Subject& subject, const Truth& truth);
 
-// True when no ray left this pixel: MASKED or BACKGROUND.
-[[nodiscard]] bool hasNoRay(RayClass ray_class);
-
 // Same outcome class and same hit texel.
 [[nodiscard]] bool sameAnswer(const RayHit& a, const RayHit& b);
 [[nodiscard]] bool bothHit(const RayPair& pair);

@@ -13,10 +13,6 @@ namespace {
 constexpr std::array<const char*, kVerdictCount> kNames = {"NONE",      "SAME",       "NEAR", "WRONG",
                                                            "FALSE_HIT", "MISSED_HIT", "LEAK", "AMBIGUOUS"};
 
-bool hasNoRay(RayClass ray_class) {
-  return ray_class == RayClass::kMasked || ray_class == RayClass::kBackground;
-}
-
 // Everything that can be said without the ray's path.
 Verdict compareAnswers(const RayHit& yours, const RayHit& oracle, Ambiguity ambiguity) {
   if (yours.ray_class == oracle.ray_class && hasNoRay(yours.ray_class)) {

@@ -30,6 +30,11 @@ inline constexpr int kLastRayClassNumber = 255;
 
 [[nodiscard]] const char* name(RayClass ray_class);  // "HIT"; "no class" of one that is not known
 
+// Whether no ray left the pixel. A ray into the surface is one, though it costs nothing.
+[[nodiscard]] constexpr bool hasNoRay(RayClass ray_class) {
+  return ray_class == RayClass::kMasked || ray_class == RayClass::kBackground;
+}
+
 struct RayHit {
   std::int32_t texel_x = -1;  // -1: none
   std::int32_t texel_y = -1;

@@ -10,10 +10,6 @@ namespace ssrkit {
 
 namespace {
 
-bool isTraced(const RayHit& ray) {
-  return ray.ray_class != RayClass::kMasked && ray.ray_class != RayClass::kBackground;
-}
-
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t middle = values.size() / 2;
@@ -42,7 +38,7 @@ TraceSummary summarise(const RayRecord& record, std::span<const Verdict> verdict
     if (isKnown(ray.ray_class)) {
       ++summary.classes.at(static_cast<std::size_t>(ray.ray_class));
     }
-    if (isTraced(ray)) {
+    if (!hasNoRay(ray.ray_class)) {
       lookups.push_back(ray.lookups);
     }
   }

@@ -120,7 +120,7 @@ ByteImage heatPicture(const RayRecord& record, const CellScale& scale, const Hea
   std::vector<double> ray_counts(backdrop.texelCount());
   forEachTexel(record.size, scale, [&](std::size_t dot, std::size_t texel) {
     const RayHit& ray = record.rays[texel];
-    if (ray.ray_class != RayClass::kMasked && ray.ray_class != RayClass::kBackground) {
+    if (!hasNoRay(ray.ray_class)) {
       lookups[dot] += ray.lookups;
       ray_counts[dot] += 1.0;
     }
