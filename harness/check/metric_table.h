@@ -1,5 +1,5 @@
-// Every metric as a row of data: its name in files, its unit, what it may be held against and which keys it
-// takes.
+// Every metric as a row of data: its name in files, its unit, what measures it, what it may be held against
+// and which keys it takes. A metric is its name in the enumeration, its row and its function.
 #pragma once
 
 #include <cstdint>
@@ -68,18 +68,26 @@ enum class TruthKind : std::uint8_t {
   kGolden,      // what was blessed before (golden.h)
 };
 
+struct Expectation;
+struct Measurement;
+struct Subject;
+
 struct MetricRow {
   Metric metric{};
   std::string name;
   std::string unit;
-  std::vector<TruthKind> truths;       // the first is the default
-  std::vector<std::string> keys = {};  // keys of [[expect]] that only some metrics take
-  bool on_record = true;               // may judge the buffer "hit"
-  bool on_image = false;               // may judge an image
-  bool zero_by_default = false;        // without bounds, max is 0
-  bool over_cases = false;             // one check over the whole list `cases`
-  bool timed = false;                  // needs the test's `rounds`
-  bool needs_oracle = false;           // even where the truth is another
+  std::vector<TruthKind> truths;                                         // the first is the default
+  Measurement (*measure)(const Expectation&, const Subject&) = nullptr;  // one of measure.h
+  std::vector<std::string> keys = {};            // keys of [[expect]] that only some metrics take
+  std::vector<std::string> needed_keys = {};     // those of them that it cannot do without
+  std::vector<std::string> default_passes = {};  // where the key `passes` is not given
+  bool on_record = true;                         // may judge the buffer "hit"
+  bool on_image = false;                         // may judge an image
+  bool zero_by_default = false;                  // without bounds, max is 0
+  bool over_cases = false;                       // one check over the whole list `cases`
+  bool timed = false;                            // needs the test's `rounds`
+  bool needs_oracle = false;                     // even where the truth is another
+  bool shows_figure = false;                     // `test` prints what was measured also where it holds
 };
 
 [[nodiscard]] std::span<const MetricRow> metricRows();
@@ -88,5 +96,6 @@ struct MetricRow {
 [[nodiscard]] std::span<const std::string> metricNames();
 
 [[nodiscard]] bool takesKey(const MetricRow& row, std::string_view key);
+[[nodiscard]] bool needsKey(const MetricRow& row, std::string_view key);
 
 }  // namespace ssrkit

@@ -2,29 +2,37 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ssrkit {
 
 namespace {
 
-void readTrueClasses(FieldReader& fields, const MetricRow& metric_row, Expectation& expectation) {
-  static const std::vector<std::string> class_names = {"VISIBLE",  "UNSAMPLED",      "OCCLUDED",
-                                                       "BACKFACE", "OFFSCREEN_TRUE", "SKY"};
-  const bool is_required = metric_row.metric == Metric::kTrueClassShare;
-  for (const std::string& word :
-       is_required ? fields.texts("true_classes") : fields.optionalTexts("true_classes")) {
-    fields.requireKnown("true_classes", word, "true class", class_names);
-    expectation.true_classes.push_back(trueClassFromName(word).value_or(TrueClass::kNone));
-  }
-  if (metric_row.metric == Metric::kTrueVerdictShare) {
-    static const std::vector<std::string> verdict_names = {"TRUE_HIT", "FALSE_HIT", "MISSED_HIT",
-                                                           "TRUE_MISS"};
-    for (const std::string& word : fields.texts("verdicts")) {
-      fields.requireKnown("verdicts", word, "verdict against the geometry", verdict_names);
-      expectation.geometry_verdicts.push_back(geometryVerdictFromName(word).value_or(GeometryVerdict::kNone));
+// The names of an enumeration's values but the first, which stands for nothing that could be named.
+template <class Enum, int count>
+const std::vector<std::string>& namesOf() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (int i = 1; i < count; ++i) {
+      list.emplace_back(name(static_cast<Enum>(i)));
     }
+    return list;
+  }();
+  return names;
+}
+
+// The values that the words of `key` name; complains of a word that names none.
+template <int count, class Enum>
+std::vector<Enum> readNames(FieldReader& fields, std::string_view key, std::string_view what,
+                            const std::vector<std::string>& words,
+                            std::optional<Enum> (*from_name)(std::string_view)) {
+  std::vector<Enum> values;
+  for (const std::string& word : words) {
+    fields.requireKnown(key, word, what, namesOf<Enum, count>());
+    values.push_back(from_name(word).value_or(Enum{}));
   }
+  return values;
 }
 
 }  // namespace
@@ -40,33 +48,27 @@ void readMetricKeys(FieldReader& fields, const MetricRow& metric_row, const Test
   for (const std::string& field : expectation.ignore) {
     fields.requireKnown("ignore", field, "field of the record", record_fields);
   }
-  if (takesKey(metric_row, "true_classes")) {
-    readTrueClasses(fields, metric_row, expectation);
+  const auto words = [&](std::string_view key) {
+    return needsKey(metric_row, key) ? fields.texts(key) : fields.optionalTexts(key);
+  };
+  const bool against_geometry = takesKey(metric_row, "true_classes");
+  expectation.true_classes = readNames<kTrueClassCount>(fields, "true_classes", "true class",
+                                                        words("true_classes"), trueClassFromName);
+  if (takesKey(metric_row, "verdicts") && against_geometry) {
+    expectation.geometry_verdicts = readNames<kGeometryVerdictCount>(
+        fields, "verdicts", "verdict against the geometry", words("verdicts"), geometryVerdictFromName);
   } else if (takesKey(metric_row, "verdicts")) {
-    static const std::vector<std::string> verdict_names = {"SAME",       "NEAR", "WRONG",    "FALSE_HIT",
-                                                           "MISSED_HIT", "LEAK", "AMBIGUOUS"};
-    for (const std::string& word : fields.texts("verdicts")) {
-      fields.requireKnown("verdicts", word, "verdict", verdict_names);
-      expectation.verdicts.push_back(verdictFromName(word).value_or(Verdict::kNone));
-    }
+    expectation.verdicts =
+        readNames<kVerdictCount>(fields, "verdicts", "verdict", words("verdicts"), verdictFromName);
   }
-  expectation.passes = fields.optionalTexts("passes");
-  expectation.over = fields.optionalTexts("over");
-  const bool is_pass_ratio = metric_row.metric == Metric::kCpuRatio ||
-                             metric_row.metric == Metric::kPixelCpuRatio ||
-                             metric_row.metric == Metric::kWallRatio;
-  if (is_pass_ratio && expectation.passes.empty()) {
-    expectation.passes = {"trace"};
+  expectation.passes = words("passes");
+  if (expectation.passes.empty()) {
+    expectation.passes = metric_row.default_passes;
   }
+  expectation.over = words("over");
   if (metric_row.timed && test.rounds == 0) {
     fields.complain("metric", fmt::format("the metric '{}' needs timings", metric_row.name),
                     "add rounds = 15 to [test]");
-  }
-  if (metric_row.metric == Metric::kPassCpuShare || metric_row.metric == Metric::kPassCpuLead) {
-    expectation.passes = fields.texts("passes");
-  }
-  if (metric_row.metric == Metric::kPassCpuShare) {
-    expectation.over = fields.texts("over");
   }
 }
 

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/text.h"
+#include "check/metric_table.h"
 #include "check/outcome.h"
 #include "check/read_expectations.h"
 #include "command/kit_paths.h"
@@ -38,9 +40,8 @@ Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, con
 
 // Costs and convergence say something even where they hold: their figures are shown.
 bool isMeasurement(const CheckResult& check) {
-  constexpr std::string_view kMetrics[] = {"convergence", "cpu_ratio", "lookup_ratio", "lookups_added",
-                                           "pass_cpu_share"};
-  return !check.message.empty() && std::ranges::find(kMetrics, check.metric) != std::end(kMetrics);
+  const MetricRow* const metric = findMetric(check.metric);
+  return !check.message.empty() && metric != nullptr && metric->shows_figure;
 }
 
 // One line a test and scene; the whole message of what failed.

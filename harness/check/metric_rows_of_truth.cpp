@@ -1,0 +1,157 @@
+#include "check/metric_rows.h"
+
+namespace ssrkit {
+
+namespace {
+
+using enum TruthKind;
+
+const std::vector<TruthKind> kOtherAnswers = {kCross, kStage, kRendered, kCase, kGolden};
+
+// A position is held against another position, or against where the geometry is truly met.
+Measurement measurePositionOfHit(const Expectation& expectation, const Subject& subject) {
+  return expectation.truth.kind == kGeometry ? measureTrueHitError(expectation, subject)
+                                             : measureHitPosition(expectation, subject);
+}
+
+}  // namespace
+
+std::vector<MetricRow> metricsAgainstTruth() {
+  using M = Metric;
+  return {
+      {.metric = M::kDifferentRays,
+       .name = "different_rays",
+       .unit = "rays",
+       .truths = {kOracle, kStage, kCross, kCase, kRendered, kGolden},
+       .measure = measureDifferentRays,
+       .zero_by_default = true},
+      {.metric = M::kAmbiguousShare,
+       .name = "ambiguous_share",
+       .unit = "share",
+       .truths = {kOracle},
+       .measure = bySubject<measureAmbiguousShare>},
+      {.metric = M::kVerdicts,
+       .name = "verdict_count",
+       .unit = "rays",
+       .truths = {kOracle},
+       .measure = measureVerdicts,
+       .keys = {"verdicts"},
+       .needed_keys = {"verdicts"},
+       .zero_by_default = true},
+      {.metric = M::kVerdictShare,
+       .name = "verdict_share",
+       .unit = "share",
+       .truths = {kOracle},
+       .measure = measureVerdicts,
+       .keys = {"verdicts"},
+       .needed_keys = {"verdicts"}},
+      {.metric = M::kVerdictGain,
+       .name = "verdict_gain",
+       .unit = "share",
+       .truths = {kStage, kCase},
+       .measure = measureVerdictGain,
+       .keys = {"verdicts"},
+       .needed_keys = {"verdicts"},
+       .needs_oracle = true},
+      {.metric = M::kHitPositionPx,
+       .name = "hit_position_px",
+       .unit = "px",
+       .truths = {kOracle, kStage, kCross, kRendered, kCase, kGeometry, kGolden},
+       .measure = measurePositionOfHit,
+       .keys = {"percentile"}},
+      {.metric = M::kHitJumpPx,
+       .name = "hit_jump_px",
+       .unit = "px",
+       .truths = {kOracle, kStage, kCase},
+       .measure = measureHitJump,
+       .keys = {"percentile"}},
+      {.metric = M::kFoundShare,
+       .name = "found_share",
+       .unit = "share of hits",
+       .truths = {kOracle},
+       .measure = measureFoundShare},
+      {.metric = M::kClosedForm,
+       .name = "closed_form",
+       .unit = "pixels",
+       .truths = {kClosedForm},
+       .measure = measureClosedForm,
+       .zero_by_default = true},
+      {.metric = M::kClosedFormLookups,
+       .name = "closed_form_lookups",
+       .unit = "pixels",
+       .truths = {kClosedForm},
+       .measure = measureClosedForm,
+       .zero_by_default = true},
+      {.metric = M::kIdentical,
+       .name = "identical",
+       .unit = "pixels",
+       .truths = kOtherAnswers,
+       .measure = measureIdentical,
+       .keys = {"ignore"},
+       .on_image = true,
+       .zero_by_default = true},
+      {.metric = M::kCoverageFlips,
+       .name = "coverage_flips",
+       .unit = "pixels",
+       .truths = {kCross, kRendered, kGeometry, kGolden},
+       .measure = measureCoverageFlips,
+       .on_record = false,
+       .on_image = true,
+       .zero_by_default = true},
+      {.metric = M::kRelativeError,
+       .name = "relative_error",
+       .unit = "ratio",
+       .truths = {kCross, kStage, kRendered, kCase, kGeometry, kGolden},
+       .measure = measureImageError,
+       .keys = {"percentile"},
+       .on_record = false,
+       .on_image = true},
+      {.metric = M::kAbsoluteError,
+       .name = "absolute_error",
+       .unit = "units of the buffer",
+       .truths = kOtherAnswers,
+       .measure = measureImageError,
+       .keys = {"percentile"},
+       .on_record = false,
+       .on_image = true},
+      {.metric = M::kFlip,
+       .name = "flip",
+       .unit = "FLIP",
+       .truths = kOtherAnswers,
+       .measure = measureFlip,
+       .keys = {"percentile"},
+       .on_record = false,
+       .on_image = true},
+      {.metric = M::kMaskFlipsPerMillion,
+       .name = "mask_flips_per_million",
+       .unit = "flips per million pixels",
+       .truths = kOtherAnswers,
+       .measure = measureMaskFlips},
+  };
+}
+
+std::vector<MetricRow> metricsAgainstGeometry() {
+  using M = Metric;
+  return {{.metric = M::kTrueClassShare,
+           .name = "true_class_share",
+           .unit = "share",
+           .truths = {kGeometry},
+           .measure = measureTrueClasses,
+           .keys = {"true_classes"},
+           .needed_keys = {"true_classes"}},
+          {.metric = M::kTrueVerdictShare,
+           .name = "true_verdict_share",
+           .unit = "share",
+           .truths = {kGeometry},
+           .measure = measureGeometryVerdicts,
+           .keys = {"verdicts", "true_classes"},
+           .needed_keys = {"verdicts"}},
+          {.metric = M::kHitDistanceError,
+           .name = "hit_distance_error",
+           .unit = "ratio",
+           .truths = {kGeometry},
+           .measure = measureTrueHitError,
+           .keys = {"percentile"}}};
+}
+
+}  // namespace ssrkit
