@@ -157,9 +157,6 @@ Expected<PeerShader> readPeer(const std::filesystem::path& path) {
 }  // namespace
 
 Expected<std::vector<PeerShader>> readPeers(const BenchOptions& options) {
-  if (options.gates && !options.peers.empty()) {
-    return inputError("bench", "--gates judges the kit's own stages", "--peer", "give it without --gates");
-  }
   std::vector<PeerShader> peers;
   for (const std::filesystem::path& file : options.peers) {
     auto peer = readPeer(file);

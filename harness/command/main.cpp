@@ -137,7 +137,10 @@ Error misread(const CLI::App& app, const std::vector<std::string>& words, const 
       }
     }
   }
-  return inputError("read the command line", error.what(), "", "see ./ssrkit --help").value();
+  const bool is_contradiction = dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr;
+  return inputError("read the command line", error.what(), "",
+                    is_contradiction ? "leave one of the two out" : "see ./ssrkit --help")
+      .value();
 }
 
 int commandLine(int argc, char** argv) {

@@ -45,21 +45,26 @@ void addRun(CLI::App& app, RunOptions& options, std::function<Expected<int>()>& 
       ->check(CLI::Range(0.0, 1e6));
   run->add_option("--device", options.devices,
                   "A device of `ssrkit devices` (default: gl-osmesa and vk-lavapipe)");
-  run->add_option("--size", options.size, "WIDTHxHEIGHT in texels")->capture_default_str();
+  CLI::Option* const size =
+      run->add_option("--size", options.size, "WIDTHxHEIGHT in texels")->capture_default_str();
   run->add_option("--param", options.parameters,
                   "NAME=VALUE of the tracing parameters, for example thickness_m=0.3");
   run->add_option("--out", options.out, "The folder for results.json, EXR and PNG files")
       ->capture_default_str();
-  run->add_option("--camera", options.camera, "A camera of the scene by name (default: its first)");
-  run->add_option("--mirror", options.mirror,
-                  "The material to trace rays from (default: the scene's own mirrors)");
+  CLI::Option* const camera =
+      run->add_option("--camera", options.camera, "A camera of the scene by name (default: its first)");
+  CLI::Option* const mirror = run->add_option(
+      "--mirror", options.mirror, "The material to trace rays from (default: the scene's own mirrors)");
   run->add_option("--environment", options.environment,
                   "What lights the full frame from outside: constant:R,G,B, or an equirectangular EXR file "
                   "(default: the scene's own)")
       ->check([](const std::string& text) { return text.empty() ? "it names no environment" : ""; });
-  run->add_option("--gbuffer", options.gbuffer,
-                  "Trace the G-buffer in this folder (EXR images and camera.json)")
-      ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; });
+  run->add_option(
+         "--gbuffer", options.gbuffer,
+         "Trace the G-buffer in this folder (EXR images and camera.json), which has a size, a camera "
+         "and mirrors of its own")
+      ->check([](const std::string& folder) { return folder.empty() ? "it names no folder" : ""; })
+      ->excludes(size, camera, mirror);
   run->add_option("--replace", options.replacements, "PASS=FILE: put a shader of your own in a pass's place");
   run->add_flag("--safety", options.extra.safety,
                 "Draw everything again with indices clamped and with loops counted, and compare: finds reads "

@@ -54,6 +54,13 @@ class Gates(GatesTest):
         self.assert_exit(4, result)
         self.assertIn("1 inconclusive", result.out)
 
+    def test_options_that_the_files_decide_are_refused(self):
+        for option in (("--scene", "m2"), ("--stage", "hiz"), ("--size", "64x36"), ("--param", "thickness_m=1"),
+                       ("--rooflines",), ("--scaling", "resolution"), ("--peer", "mine.toml")):
+            with self.subTest(option):
+                result = self.ssrkit("bench", "--gates", *option, "--out", "out")
+                self.assert_refused(result, "--gates", option[0], "leave one of the two out")
+
     def test_what_is_not_timed_is_drawn_once(self):
         fault = {"SSRKIT_FAULT": "crash:draw gbuffer;after=read back"}  # when the job is drawn again
         once = self.gates(GATE.replace("rounds = 8\n", ""), **fault)

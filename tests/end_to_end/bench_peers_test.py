@@ -80,7 +80,6 @@ class BadPeers(PeerTest):
             with self.subTest(change):
                 self.assert_refused(self.bench("--peer", self.peer("texel_march", *change)), *words)
         self.assert_refused(self.bench("--peer", "absent.toml"), "absent.toml")
-        self.assert_refused(self.bench("--gates", "--peer", self.peer("texel_march")), "--peer")
 
     def refused_later(self, peer, *words):
         self.assert_refused(self.bench("--peer", peer, rounds=1), *words)

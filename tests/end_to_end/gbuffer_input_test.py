@@ -102,6 +102,9 @@ class MissingParts(GbufferTest):
 
     def test_scene_and_gbuffer_together(self):
         self.assert_refused(self.run_it("--scene", "m1"), "--gbuffer and --scene")
+        for option, value in (("--size", "64x36"), ("--camera", "front"), ("--mirror", "floor")):
+            with self.subTest(option):
+                self.assert_refused(self.run_it(option, value), "--gbuffer", option, "leave one of the two out")
 
 
 class BadCameras(GbufferTest):
