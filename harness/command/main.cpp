@@ -37,6 +37,8 @@ void addTest(CLI::App& app, TestOptions& options, Command& command) {
   test->add_option("--filter", options.filter, "Names to run, * stands for any text")->capture_default_str();
   test->add_option("--only", options.only, "unit: no expectation files; expect: nothing else")
       ->check(CLI::IsMember({"unit", "expect"}));
+  test->add_option("--tag", options.tags,
+                   "Only the expectation files that carry this tag, or one of these; no unit tests");
   test->add_option("--device", options.devices, "Devices of the expectation files that name none");
   test->add_option("--out", options.out, "The folder for results.json")->capture_default_str();
   test->add_flag("--list", options.list, "Print the names instead of running");

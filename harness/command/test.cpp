@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
-#include <string_view>
+#include <set>
 
 #include "base/text.h"
 #include "check/metric_table.h"
@@ -28,13 +27,39 @@ namespace {
 
 constexpr const char* kStandard = "standard";  // applies to every `run`; by itself it has nothing to run on
 
+Expected<void> checkTags(const std::vector<std::string>& tags, const std::vector<TestFile>& files) {
+  std::set<std::string> carried;
+  for (const TestFile& file : files) {
+    carried.insert(file.tags.begin(), file.tags.end());
+  }
+  const std::vector<std::string> known(carried.begin(), carried.end());
+  for (const std::string& tag : tags) {
+    if (!carried.contains(tag)) {
+      return inputError("run the tests", fmt::format("no expectation file carries the tag '{}'", tag),
+                        "--tag", "the tags are " + joinNames(known));
+    }
+  }
+  return {};
+}
+
+bool carriesOneOf(const std::vector<std::string>& tags, const TestFile& file) {
+  return tags.empty() || std::ranges::any_of(tags, [&](const std::string& tag) {
+           return std::ranges::find(file.tags, tag) != file.tags.end();
+         });
+}
+
 Expected<std::vector<TestFile>> expectationFiles(const TestOptions& options, const KitPaths& paths) {
   auto files = loadExpectations(paths.expectations, knownNames(paths));
-  if (files) {
-    std::erase_if(*files, [&](const TestFile& file) {
-      return file.id == kStandard || fnmatch(options.filter.c_str(), file.id.c_str(), 0) != 0;
-    });
+  if (!files) {
+    return files;
   }
+  std::erase_if(*files, [](const TestFile& file) { return file.id == kStandard; });
+  if (const auto checked = checkTags(options.tags, *files); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  std::erase_if(*files, [&](const TestFile& file) {
+    return fnmatch(options.filter.c_str(), file.id.c_str(), 0) != 0 || !carriesOneOf(options.tags, file);
+  });
   return files;
 }
 
@@ -126,7 +151,11 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
 
 Expected<int> testCommand(const TestOptions& options) {
   const KitPaths paths = kitPaths();
-  const bool wants_unit = options.only.empty() || options.only == "unit";
+  if (options.only == "unit" && !options.tags.empty()) {
+    return inputError("run the tests", "--tag and --only unit were both given", "",
+                      "unit tests carry no tags, give one of the two");
+  }
+  const bool wants_unit = (options.only.empty() && options.tags.empty()) || options.only == "unit";
   const bool wants_expect = options.only.empty() || options.only == "expect";
   auto files = wants_expect ? expectationFiles(options, paths)
                             : Expected<std::vector<TestFile>>(std::vector<TestFile>{});
@@ -172,8 +201,10 @@ Expected<int> testCommand(const TestOptions& options) {
     outcomes.push_back(check.outcome);
   }
   if (outcomes.empty()) {
-    return inputError("run the tests", fmt::format("no test matches '{}'", options.filter), "--filter",
-                      "./ssrkit test --list shows their names");
+    return inputError("run the tests",
+                      fmt::format("no test {}matches '{}'",
+                                  options.tags.empty() ? "" : "of the tags that were given ", options.filter),
+                      "--filter", "./ssrkit test --list shows their names");
   }
   const int code = exitCode(outcomes);
   // On a line of its own: the closing line is read by programs.

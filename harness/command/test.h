@@ -10,8 +10,9 @@
 namespace ssrkit {
 
 struct TestOptions {
-  std::string filter = "*";  // of names: * stands for any text
-  std::string only;          // "unit" or "expect"; "" both
+  std::string filter = "*";       // of names: * stands for any text
+  std::string only;               // "unit" or "expect"; "" both
+  std::vector<std::string> tags;  // of expectation files, one of which they carry; empty: any, and unit tests
   std::vector<std::string> devices{"gl-osmesa", "vk-lavapipe"};
   std::filesystem::path out = "out/test";  // results.json
   bool list = false;                       // names instead of runs

@@ -1,6 +1,8 @@
 """What is typed wrong is named, and the nearest right word with it."""
 
+import glob
 import os
+import tomllib
 
 import kit
 
@@ -44,6 +46,22 @@ class Commands(CommandLineTest):
 
     def test_no_test_matches(self):
         self.assert_refused(self.ssrkit("test", "--only", "expect", "--filter", "nosuch"), "nosuch", "--list")
+
+    def test_tags_choose_expectation_files(self):
+        carried = {}
+        for path in glob.glob(os.path.join(kit.SOURCE, "tests", "expect", "*.toml")):
+            with open(path, "rb") as file:
+                test = tomllib.load(file)["test"]
+            carried[test["id"]] = set(test.get("tags", []))
+        del carried["standard"]
+        for tags in (("geometry",), ("closed-form", "cost")):
+            result = self.ssrkit("test", "--list", *(word for tag in tags for word in ("--tag", tag)))
+            self.assert_exit(0, result)
+            wanted = sorted(test for test, of_test in carried.items() if of_test & set(tags))
+            self.assertEqual(wanted, sorted(line.split()[0] for line in result.out.splitlines()))
+        self.assert_refused(self.ssrkit("test", "--tag", "geometri", "--list"), "'geometri'", "--tag", "geometry", "cost")
+        self.assert_refused(self.ssrkit("test", "--tag", "geometry", "--filter", "hiz*"), "'hiz*'", "tags")
+        self.assert_refused(self.ssrkit("test", "--tag", "geometry", "--only", "unit"), "--tag", "--only unit")
 
     def test_nothing_to_compile(self):
         self.assert_refused(self.ssrkit("compile", "nosuch.frag"), "nosuch.frag", "no such file")
