@@ -97,15 +97,16 @@ Expected<void> writeReport(const BenchOptions& options, const BenchReport& repor
   return done ? writeFileAtomically(options.out / "bench.html", benchHtml(report)) : done;
 }
 
-// One outcome for each series, line of a scaling, change and gate.
+// One outcome for each series, line of a scaling, change and gate; what could not be compared is skipped.
 std::vector<Outcome> outcomesOf(const BenchReport& report, const std::vector<CheckResult>& failures) {
   std::vector<Outcome> outcomes(report.scalings.size(), Outcome::kPass);
   outcomes.insert(outcomes.end(), report.baseline.empty() ? report.series.size() : 0, Outcome::kPass);
-  for (const BenchChange& change : report.changes) {
+  for (const BenchChange& change : report.comparison.changes) {
     outcomes.push_back(change.move == BenchMove::kSlower         ? Outcome::kFail
                        : change.move == BenchMove::kInconclusive ? Outcome::kInconclusive
                                                                  : Outcome::kPass);
   }
+  outcomes.insert(outcomes.end(), report.comparison.uncompared.size(), Outcome::kSkip);
   for (const std::vector<CheckResult>* checks : {&report.gates, &failures}) {
     for (const CheckResult& check : *checks) {
       outcomes.push_back(check.outcome);
@@ -141,12 +142,13 @@ Expected<void> compareWithBaseline(const std::optional<BenchBaseline>& baseline,
   if (!baseline) {
     return {};
   }
-  auto changes = changesSince(*baseline, report.series);
-  if (!changes) {
-    return tl::make_unexpected(changes.error());
+  auto comparison = compareWith(*baseline, report.series);
+  if (!comparison) {
+    return tl::make_unexpected(comparison.error());
   }
   report.baseline = baseline->file;
-  report.changes = std::move(*changes);
+  report.baseline_replacements = baseline->replacements;
+  report.comparison = std::move(*comparison);
   return {};
 }
 
@@ -202,7 +204,8 @@ Expected<int> benchCommand(const BenchOptions& options) {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   BenchReport report{.kit_version = SSRKIT_VERSION,
                      .started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)),
-                     .command = options.command};
+                     .command = options.command,
+                     .replacements = options.replacements};
   const auto suite = benchSuite(work, work.request.devices, kBenchParts);
   const auto machine = suite ? startDevices(**suite, report) : tl::make_unexpected(suite.error());
   if (!machine) {

@@ -14,7 +14,18 @@ PassTime timeOf(const nlohmann::json& json) {
   return {.wall_ns = json.at("wall_ns").get<std::int64_t>(), .cpu_ns = json.at("cpu_ns").get<std::int64_t>()};
 }
 
-BenchSeries seriesOf(const nlohmann::json& json) {
+Expected<TraceParameters> parametersOf(const nlohmann::json& json, const std::string& file) {
+  TraceParameters parameters;
+  for (const auto& [name, value] : json.items()) {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    if (const auto set = setParameter(parameters, name, text, file); !set) {
+      return tl::make_unexpected(set.error());
+    }
+  }
+  return parameters;
+}
+
+Expected<BenchSeries> seriesOf(const nlohmann::json& json, const std::string& file) {
   BenchSeries series;
   series.scene = json.at("scene").get<std::string>();
   series.device = json.at("device").get<std::string>();
@@ -22,23 +33,17 @@ BenchSeries seriesOf(const nlohmann::json& json) {
   series.case_name = json.at("case").get<std::string>();
   series.size = {json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
   series.pass = json.at("pass").get<std::string>();
+  if (const nlohmann::json& parameters = json.at("parameters"); !parameters.is_null()) {
+    const auto read = parametersOf(parameters, file);
+    if (!read) {
+      return tl::make_unexpected(read.error());
+    }
+    series.parameters = *read;
+  }
   for (const nlohmann::json& time : json.at("steady")) {
     series.steady.push_back(timeOf(time));
   }
   return series;
-}
-
-bool isSame(const BenchSeries& a, const BenchSeries& b) {
-  return a.scene == b.scene && a.device == b.device && a.stage == b.stage && a.case_name == b.case_name &&
-         a.size == b.size && a.pass == b.pass;
-}
-
-std::vector<double> cpuOf(const BenchSeries& series) {
-  std::vector<double> values;
-  for (const PassTime& time : series.steady) {
-    values.push_back(static_cast<double>(time.cpu_ns));
-  }
-  return values;
 }
 
 }  // namespace
@@ -54,17 +59,26 @@ Expected<BenchBaseline> readBaseline(const std::filesystem::path& file) {
   if (!json.is_object() || json.value("schema", nlohmann::json()) != "ssrkit-bench") {
     return inputError(attempted, "it is no bench.json", file.string(), kRemedy);
   }
-  if (json.value("schema_version", nlohmann::json()) != kBenchSchemaVersion) {
-    return inputError(attempted, fmt::format("its schema_version is not {}", kBenchSchemaVersion),
-                      file.string(), "measure it again with this version");
+  const nlohmann::json version = json.value("schema_version", nlohmann::json());
+  if (version != kBenchSchemaVersion) {
+    return inputError(
+        attempted,
+        fmt::format("its schema_version is {} and not {}{}", version.dump(), kBenchSchemaVersion,
+                    version == 1 ? ": it does not say which parameters its traces were timed with" : ""),
+        file.string(), "measure it again with this version");
   }
   BenchBaseline baseline{.file = file.string()};
   try {
     baseline.machine = {json.at("machine").at("cpu").get<std::string>(),
                         json.at("machine").at("core_count").get<int>()};
     for (const nlohmann::json& series : json.at("series")) {
-      baseline.series.push_back(seriesOf(series));
+      auto read = seriesOf(series, file.string());
+      if (!read) {
+        return tl::make_unexpected(read.error());
+      }
+      baseline.series.push_back(std::move(*read));
     }
+    baseline.replacements = json.at("replacements").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& problem) {
     return inputError(attempted,
                       fmt::format("a part of it is missing or of another kind ({})", problem.what()),
@@ -84,23 +98,19 @@ Expected<void> checkSameMachine(const BenchBaseline& baseline, const BenchMachin
       baseline.file, "measure a baseline on this machine");
 }
 
-Expected<std::vector<BenchChange>> changesSince(const BenchBaseline& baseline,
-                                                const std::vector<BenchSeries>& series) {
-  std::vector<BenchChange> changes;
-  for (const BenchSeries& now : series) {
-    const auto then =
-        std::ranges::find_if(baseline.series, [&](const BenchSeries& other) { return isSame(now, other); });
-    if (then == baseline.series.end()) {
-      continue;
-    }
-    const auto ratio = unpairedRatio(cpuOf(now), cpuOf(*then));
-    changes.push_back({.series = &now, .ratio = ratio, .move = moveOf(ratio, kBenchMargin)});
+Expected<BenchComparison> compareWith(const BenchBaseline& baseline, const std::vector<BenchSeries>& series) {
+  BenchComparison comparison = compareSeries(series, baseline.series);
+  if (comparison.changes.empty()) {
+    return inputError(
+        "compare with the baseline",
+        comparison.uncompared.empty()
+            ? "it has no passes"
+            : fmt::format("no pass can be compared: the first, {} of {}, is {}",
+                          comparison.uncompared.front().series.pass,
+                          comparison.uncompared.front().series.scene, comparison.uncompared.front().why),
+        baseline.file, "use the scenes, sizes, stages, devices and parameters that it was measured with");
   }
-  if (changes.empty()) {
-    return inputError("compare with the baseline", "it has none of the passes that were timed", baseline.file,
-                      "use the scenes, sizes, stages and devices that it was measured with");
-  }
-  return changes;
+  return comparison;
 }
 
 }  // namespace ssrkit

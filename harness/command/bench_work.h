@@ -61,14 +61,15 @@ struct BenchBaseline {
   std::string file;
   BenchMachine machine;
   std::vector<BenchSeries> series;
+  std::vector<std::string> replacements;
 };
 [[nodiscard]] Expected<BenchBaseline> readBaseline(const std::filesystem::path& file);
 
 // Fails when the two were not measured on one machine: their times say nothing about each other.
 [[nodiscard]] Expected<void> checkSameMachine(const BenchBaseline& baseline, const BenchMachine& machine);
 
-// Every series that both have; the baseline's others are left out. Fails when there is none.
-[[nodiscard]] Expected<std::vector<BenchChange>> changesSince(const BenchBaseline& baseline,
-                                                              const std::vector<BenchSeries>& series);
+// Fails when no series can be compared.
+[[nodiscard]] Expected<BenchComparison> compareWith(const BenchBaseline& baseline,
+                                                    const std::vector<BenchSeries>& series);
 
 }  // namespace ssrkit

@@ -19,6 +19,7 @@ Json keyOf(const BenchSeries& series) {
 
 Json seriesOf(const BenchSeries& series, const BenchReport& report) {
   Json json = keyOf(series);
+  json["parameters"] = series.parameters ? parametersOf(*series.parameters) : Json(nullptr);
   json["rays"] = series.rays;
   json["lookups"] = series.lookups;
   json["cpu_ms"] = intervalOf(cpuMsInterval(series));
@@ -88,6 +89,12 @@ Json changeOf(const BenchChange& change) {
   return json;
 }
 
+Json uncomparedOf(const BenchUncompared& uncompared) {
+  Json json = keyOf(uncompared.series);
+  json["why"] = uncompared.why;
+  return json;
+}
+
 Json gateOf(const CheckResult& gate) {
   return {{"id", gate.id},
           {"scene", gate.scene},
@@ -121,8 +128,11 @@ std::string benchJson(const BenchReport& report) {
       {"over_natives", listOf(report.over_natives, overNativeOf)},
       {"answers", listOf(report.answers, answerOf)},
       {"scaling", listOf(report.scalings, scalingOf)},
+      {"replacements", report.replacements},
       {"baseline", report.baseline.empty() ? Json(nullptr) : Json(report.baseline)},
-      {"changes", listOf(report.changes, changeOf)},
+      {"baseline_replacements", report.baseline_replacements},
+      {"changes", listOf(report.comparison.changes, changeOf)},
+      {"uncompared", listOf(report.comparison.uncompared, uncomparedOf)},
       {"gates", listOf(report.gates, gateOf)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -16,7 +16,7 @@
 
 namespace ssrkit {
 
-inline constexpr int kBenchSchemaVersion = 1;
+inline constexpr int kBenchSchemaVersion = 2;
 inline constexpr double kBenchMargin =
     0.05;  // a ratio is settled when its interval is narrower than twice this
 
@@ -34,8 +34,9 @@ struct BenchSeries {
   std::string case_name;
   Size size;
   std::string pass;
-  std::size_t rays = 0;          // that were traced; 0 for passes of the frame
-  double lookups = 0.0;          // of all rays
+  std::optional<TraceParameters> parameters;  // of the trace, as used; none for passes of the frame
+  std::size_t rays = 0;                       // that were traced; 0 for passes of the frame
+  double lookups = 0.0;                       // of all rays
   PassTime first;                // of the run's first draw: the driver's own compilation included
   std::vector<PassTime> steady;  // one a round
 };
@@ -103,6 +104,17 @@ struct BenchChange {
   BenchMove move = BenchMove::kInconclusive;
 };
 
+// A series that this run and an earlier one cannot be compared by.
+struct BenchUncompared {
+  BenchSeries series;  // without its times
+  std::string why;     // "only in this run", "thickness_m is 0.3 and was inf"
+};
+
+struct BenchComparison {
+  std::vector<BenchChange> changes;
+  std::vector<BenchUncompared> uncompared;
+};
+
 struct BenchReport {
   std::string kit_version;
   std::string started;               // UTC, ISO 8601
@@ -114,8 +126,10 @@ struct BenchReport {
   std::vector<BenchNativeRatio> over_natives;
   std::vector<BenchAnswer> answers;  // with peers
   std::vector<BenchScaling> scalings;
-  std::string baseline;              // the file's name, empty without
-  std::vector<BenchChange> changes;  // of every series that the baseline has too
+  std::vector<std::string> replacements;           // "trace_hiz=my.frag", as given
+  std::string baseline;                            // the file's name, empty without
+  std::vector<std::string> baseline_replacements;  // those of its run
+  BenchComparison comparison;                      // with it
   std::vector<CheckResult> gates;
 };
 
@@ -146,6 +160,11 @@ struct BenchReport {
 
 // The whole interval beyond 1 by more than the margin is a move, the whole of it within is none.
 [[nodiscard]] BenchMove moveOf(const std::optional<RatioInterval>& ratio, double margin);
+
+// Every series is among the changes where both have it and traced it with the same parameters, else among the
+// uncompared, those of either side. The changes point into `now`.
+[[nodiscard]] BenchComparison compareSeries(const std::vector<BenchSeries>& now,
+                                            std::span<const BenchSeries> then);
 
 // For people: at most 100 columns, ends with a line feed.
 [[nodiscard]] std::string benchText(const BenchReport& report);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/size.h"
 #include "report/table_text.h"
 
 namespace ssrkit {
@@ -24,6 +25,15 @@ std::string shareText(const BenchAnswer& answer, std::initializer_list<Verdict> 
   }
   const double all = std::max(1.0, static_cast<double>(answer.rays));
   return fmt::format("{:.2f}", 100.0 * static_cast<double>(count) / all);
+}
+
+std::string placeOf(const BenchSeries& series) {
+  return fmt::format("{} {} {} {} {}", series.scene, sizeText(series.size), series.device, series.stage,
+                     series.pass);
+}
+
+std::string replacementsText(const std::vector<std::string>& replacements) {
+  return replacements.empty() ? "none" : cellText(fmt::format("{}", fmt::join(replacements, " ")), 74);
 }
 
 }  // namespace
@@ -115,8 +125,12 @@ std::string changesText(const BenchReport& report) {
     return "";
   }
   std::string text = fmt::format("against {}, CPU time now over then\n", report.baseline);
+  if (report.replacements != report.baseline_replacements) {
+    text += fmt::format("  shaders replaced now:  {}\n", replacementsText(report.replacements));
+    text += fmt::format("  shaders replaced then: {}\n", replacementsText(report.baseline_replacements));
+  }
   std::size_t unchanged = 0;
-  for (const BenchChange& change : report.changes) {
+  for (const BenchChange& change : report.comparison.changes) {
     if (change.move == BenchMove::kUnchanged) {
       ++unchanged;
       continue;
@@ -124,12 +138,14 @@ std::string changesText(const BenchReport& report) {
     const BenchSeries& series = *change.series;
     text += fmt::format("  {:<13}{:>7}{:>17}  {}\n", name(change.move),
                         change.ratio ? measureText(change.ratio->median) : "-", intervalText(change.ratio),
-                        cellText(fmt::format("{} {}x{} {} {} {}", series.scene, series.size.width,
-                                             series.size.height, series.device, series.stage, series.pass),
-                                 58));
+                        cellText(placeOf(series), 58));
+  }
+  for (const BenchUncompared& one : report.comparison.uncompared) {
+    text += fmt::format("  {:<14}{:<50}{}\n", "not compared", cellText(placeOf(one.series), 49),
+                        cellText(one.why, 34));
   }
   return text + fmt::format("  {} of {} passes unchanged within {:.0f} %\n\n", unchanged,
-                            report.changes.size(), 100.0 * kBenchMargin);
+                            report.comparison.changes.size(), 100.0 * kBenchMargin);
 }
 
 std::string gatesText(const BenchReport& report) {

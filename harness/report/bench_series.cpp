@@ -71,6 +71,7 @@ std::vector<BenchSeries> benchSeries(std::span<const FrameRow> frames, std::span
       series.stage = row.stage;
       series.case_name = row.case_name;
       series.size = row.size;
+      series.parameters = row.parameters;
       if (row.summary) {
         series.rays = row.summary->traced_rays;
         series.lookups = row.summary->lookups.mean * static_cast<double>(row.summary->traced_rays);

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/text.h"
 
 namespace ssrkit {
 
@@ -27,6 +30,20 @@ Json numberOf(double value) {
 
 Json numberOf(const std::optional<double>& value) {
   return value ? numberOf(*value) : Json(nullptr);
+}
+
+Json parametersOf(const TraceParameters& parameters) {
+  Json json = Json::object();
+  for (const std::string& parameter : parameterNames()) {
+    const std::string text = parameterText(parameters, parameter);
+    const std::optional<double> number = parseNumber(text);
+    const bool is_integer =
+        number && std::isfinite(*number) && text.find_first_not_of("-0123456789") == std::string::npos;
+    json[parameter] = is_integer ? Json(static_cast<long long>(*number))
+                      : number   ? numberOf(*number)
+                                 : Json(text);
+  }
+  return json;
 }
 
 Json sizeOf(Size size) {

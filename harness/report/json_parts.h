@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json numberOf(const std::optional<double>& value);
 
 [[nodiscard]] Json sizeOf(Size size);  // [640, 360]
+[[nodiscard]] Json parametersOf(const TraceParameters& parameters);
 [[nodiscard]] Json deviceOf(const DeviceRow& device);
 [[nodiscard]] Json passesOf(const std::vector<PassReport>& passes);
 

@@ -15,20 +15,6 @@ namespace ssrkit {
 
 namespace {
 
-Json parametersOf(const TraceParameters& parameters) {
-  Json json = Json::object();
-  for (const std::string& parameter : parameterNames()) {
-    const std::string text = parameterText(parameters, parameter);
-    const std::optional<double> number = parseNumber(text);
-    const bool is_integer =
-        number && std::isfinite(*number) && text.find_first_not_of("-0123456789") == std::string::npos;
-    json[parameter] = is_integer ? Json(static_cast<long long>(*number))
-                      : number   ? numberOf(*number)
-                                 : Json(text);
-  }
-  return json;
-}
-
 // The parameters are those of the trace that the check looked at; null where it looked at none.
 Json checkParametersOf(const CheckResult& check, const RunReport& report) {
   for (const RunRow& row : report.rows) {

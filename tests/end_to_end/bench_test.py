@@ -34,7 +34,7 @@ class Figures(bench_runs.BenchTest):
         for line in result.out.splitlines():
             self.assertLessEqual(len(line), 100, line)
         report = self.report()
-        self.assertEqual(("ssrkit-bench", 1), (report["schema"], report["schema_version"]))
+        self.assertEqual(("ssrkit-bench", 2), (report["schema"], report["schema_version"]))
         for device in kit.DEVICES:
             passes = {(s["stage"], s["pass"]) for s in report["series"] if s["device"] == device}
             self.assertLessEqual({("", "gbuffer"), ("walk", "trace"), ("hiz", "trace"), ("hiz", "pyramid"),
@@ -129,6 +129,33 @@ class Baseline(bench_runs.BenchTest):
         self.assertIn("slower", result.out)
         dda = moves["dda", "trace"]
         self.assertLess(dda["ratio"]["median"], 2, dda)
+        self.assertEqual([f"walk={slow}"], self.report()["replacements"])
+        self.assertIn("shaders replaced then: none", result.out)
+        self.assertEqual([], self.report()["uncompared"])
+
+    def test_what_was_traced_otherwise_is_named_and_not_compared(self):
+        self.assert_exit(0, self.bench("--stage", "dda", "--param", "thickness_m=0.3", rounds=1, out="before"))
+        result = self.bench("--stage", "hiz", "--baseline", self.path("before", "bench.json"), rounds=1)
+        report = self.report()
+        self.assertEqual({""}, {change["stage"] for change in report["changes"]})
+        reasons = {(one["stage"], one["device"]): one["why"] for one in report["uncompared"]}
+        self.assertEqual("thickness_m is inf and was 0.3", reasons["walk", "gl-osmesa"])
+        self.assertEqual("only in this run", reasons["hiz", "gl-osmesa"])
+        self.assertEqual("only in the baseline", reasons["dda", "gl-osmesa"])
+        for one in report["uncompared"]:
+            self.assertIn(f"{one['device']} {one['stage']} {one['pass']}", result.out)
+        self.assertIn(f"{len(report['uncompared'])} skipped", result.out)
+        # The frame's passes are compared with one round each: never judged.
+        self.assert_exit(4, result)
+        nothing = self.bench("--baseline", self.path("before", "bench.json"), scene="m1", rounds=1)
+        self.assert_refused(nothing, "no pass can be compared", "only in this run", "measured with")
+
+    def test_a_baseline_of_an_earlier_version_is_refused_with_the_reason(self):
+        self.assert_exit(0, self.bench(out="before", rounds=1))
+        report = kit.read_json(self.path("before", "bench.json"))
+        report["schema_version"] = 1
+        self.assert_refused(self.bench("--baseline", self.write("old.json", json.dumps(report)), rounds=1),
+                            "old.json", "schema_version is 1 and not 2", "parameters", "measure it again")
 
     def test_another_machine_is_refused(self):
         self.assert_exit(0, self.bench(out="before", rounds=1))
@@ -143,8 +170,8 @@ class Baseline(bench_runs.BenchTest):
     def test_what_is_no_baseline_is_refused(self):
         for content, words in (("no json", "no bench.json"), ("{}", "no bench.json"),
                                ('{"schema": "ssrkit-bench", "schema_version": 99}', "schema_version"),
-                               ('{"schema": "ssrkit-bench", "schema_version": 1}', "missing"),
-                               ('{"schema": "ssrkit-bench", "schema_version": 1, "machine": {"cpu": "", '
+                               ('{"schema": "ssrkit-bench", "schema_version": 2}', "missing"),
+                               ('{"schema": "ssrkit-bench", "schema_version": 2, "machine": {"cpu": "", '
                                 '"core_count": 1}, "series": [{"scene": 3}]}', "another kind")):
             with self.subTest(content):
                 self.write("bad.json", content)

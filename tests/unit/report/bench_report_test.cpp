@@ -117,6 +117,30 @@ TEST(BenchMove, IsNamedOnlyWhereTheWholeIntervalHasMoved) {
   EXPECT_STREQ(name(moveOf(std::nullopt, 0.05)), "inconclusive");
 }
 
+TEST(BenchComparison, HoldsOnlyWhatWasTracedAlikeAndNamesTheRest) {
+  std::vector<BenchSeries> then = {seriesOf("", "gbuffer", kMs), seriesOf("hiz", "trace", 4 * kMs),
+                                   seriesOf("walk", "trace", kMs), seriesOf("dda", "trace", kMs)};
+  then[1].parameters = then[2].parameters = then[3].parameters = TraceParameters{};
+  std::vector<BenchSeries> now = {seriesOf("", "gbuffer", 2 * kMs), seriesOf("hiz", "trace", 4 * kMs),
+                                  seriesOf("walk", "trace", 2 * kMs), seriesOf("naive", "trace", kMs)};
+  now[1].parameters = now[2].parameters = now[3].parameters = TraceParameters{};
+  now[2].parameters->thickness_m = 0.3;
+  now[2].parameters->jitter = 1.0;
+  const BenchComparison comparison = compareSeries(now, then);
+  ASSERT_EQ(comparison.changes.size(), 2U);
+  EXPECT_EQ(comparison.changes[0].series, &now[0]);
+  EXPECT_EQ(comparison.changes[0].move, BenchMove::kSlower);
+  EXPECT_EQ(comparison.changes[1].series, &now[1]);
+  EXPECT_EQ(comparison.changes[1].move, BenchMove::kUnchanged);
+  std::vector<std::string> reasons;
+  for (const BenchUncompared& one : comparison.uncompared) {
+    reasons.push_back(one.series.stage + ": " + one.why);
+    EXPECT_TRUE(one.series.steady.empty());
+  }
+  EXPECT_EQ(reasons, (std::vector<std::string>{"walk: thickness_m is 0.3 and was inf, jitter is 1 and was 0",
+                                               "naive: only in this run", "dda: only in the baseline"}));
+}
+
 TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
   BenchReport made = report();
   made.series[0].scene = "a scene with a name that is much longer than any column could ever be";
@@ -131,8 +155,11 @@ TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
                     PowerLaw{0.26, 0.0, 1.0},
                     std::nullopt}};
   made.baseline = "earlier.json";
-  made.changes = {{&made.series[1], RatioInterval{1.5, 1.4, 1.6, 1.3, 1.7}, BenchMove::kSlower},
-                  {&made.series[2], RatioInterval{1.0, 1.0, 1.0, 1.0, 1.0}, BenchMove::kUnchanged}};
+  made.comparison.changes = {
+      {&made.series[1], RatioInterval{1.5, 1.4, 1.6, 1.3, 1.7}, BenchMove::kSlower},
+      {&made.series[2], RatioInterval{1.0, 1.0, 1.0, 1.0, 1.0}, BenchMove::kUnchanged}};
+  made.comparison.uncompared = {{seriesOf("dda", "trace", kMs), std::string(100, 'w')}};
+  made.replacements = {std::string(100, 'r') + "=a.frag"};
   const std::string text = benchText(made);
   for (const std::string& line : split(text, '\n')) {
     EXPECT_LE(line.size(), 100U + (line.find("a scene with") != std::string::npos ? 100U : 0U)) << line;
@@ -142,12 +169,16 @@ TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
   EXPECT_NE(text.find("0.26 +- 0.00"), std::string::npos) << text;
   EXPECT_NE(text.find("slower"), std::string::npos) << text;
   EXPECT_NE(text.find("1 of 2 passes unchanged"), std::string::npos) << text;
+  EXPECT_NE(text.find("not compared  clutter 8x8 vk-lavapipe dda trace"), std::string::npos) << text;
+  EXPECT_NE(text.find("shaders replaced then: none"), std::string::npos) << text;
 }
 
 TEST(BenchJson, SaysWhatWasMeasuredAndWhere) {
-  const auto json = nlohmann::json::parse(benchJson(report()));
+  BenchReport made = report();
+  made.series[1].parameters = TraceParameters{};
+  const auto json = nlohmann::json::parse(benchJson(made));
   EXPECT_EQ(json.at("schema"), "ssrkit-bench");
-  EXPECT_EQ(json.at("schema_version"), 1);
+  EXPECT_EQ(json.at("schema_version"), 2);
   EXPECT_EQ(json.at("machine").at("core_count"), 2);
   const auto& trace = json.at("series").at(1);
   EXPECT_EQ(trace.at("stage"), "hiz");
@@ -155,6 +186,8 @@ TEST(BenchJson, SaysWhatWasMeasuredAndWhere) {
   EXPECT_EQ(trace.at("steady").size(), kRounds);
   EXPECT_EQ(trace.at("first").at("cpu_ns"), 40 * kMs);
   EXPECT_TRUE(trace.at("roofline_multiple").is_null());
+  EXPECT_EQ(trace.at("parameters").at("thickness_m"), "inf");
+  EXPECT_TRUE(json.at("series").at(0).at("parameters").is_null());
 }
 
 TEST(BenchCsv, HasOneLineASeriesAndAsManyCellsAsTheHeader) {
