@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,6 +75,34 @@ double treeMemoryMib(pid_t root) {
   return sum;
 }
 
+cpu_set_t usableCores() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  ::sched_getaffinity(0, sizeof(cores), &cores);
+  return cores;
+}
+
+// While it lives, what this thread starts keeps to the first so many of the usable processors.
+class OnCores {
+ public:
+  explicit OnCores(int count) : before_(usableCores()) {
+    cpu_set_t fewer;
+    CPU_ZERO(&fewer);
+    for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&fewer) < count; ++core) {
+      if (CPU_ISSET(core, &before_)) {
+        CPU_SET(core, &fewer);
+      }
+    }
+    ::sched_setaffinity(0, sizeof(fewer), count > 0 ? &fewer : &before_);
+  }
+  ~OnCores() { ::sched_setaffinity(0, sizeof(before_), &before_); }
+  OnCores(const OnCores&) = delete;
+  OnCores& operator=(const OnCores&) = delete;
+
+ private:
+  cpu_set_t before_;
+};
+
 Expected<pid_t> start(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {"ssrkit"};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -96,9 +125,18 @@ Expected<pid_t> start(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-Expected<ProcessCost> measureProcess(const std::vector<std::string>& arguments, bool wants_memory) {
+int usableCoreCount() {
+  const cpu_set_t cores = usableCores();
+  return CPU_COUNT(&cores);
+}
+
+Expected<ProcessCost> measureProcess(const std::vector<std::string>& arguments, bool wants_memory,
+                                     int core_count) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto process = start(arguments);
+  const auto process = [&] {
+    const OnCores kept(core_count);
+    return start(arguments);
+  }();
   if (!process) {
     return tl::make_unexpected(process.error());
   }

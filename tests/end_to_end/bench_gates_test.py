@@ -92,6 +92,22 @@ class Gates(GatesTest):
         self.write("kit/tests/gates/process/small.toml", run + "max_wal_s = 1\n")
         self.assert_refused(self.gates(GATE), "small.toml:6:1", "did you mean 'max_wall_s'?")
 
+    def test_whole_runs_are_held_to_what_a_second_core_gains(self):
+        for name, bound in (("held", 0.01), ("missed", 2.0)):  # two cores never halve a run that has a start
+            self.write(f"kit/tests/gates/process/{name}.toml",
+                       f'[process]\nid = "{name}"\nabout = "a small run"\narguments = ["run", "--scene", "m2", "--stage", '
+                       f'"dda", "--device", "gl-osmesa", "--size", "32x18"]\nruns = 8\nmin_speedup_on_2_cores = {bound}\n')
+        result = self.gates(GATE)
+        gates = {gate["id"]: gate for gate in self.report()["gates"]}
+        if len(os.sched_getaffinity(0)) < 2:
+            self.assertEqual(("skip", "skip"), (gates["held"]["outcome"], gates["missed"]["outcome"]))
+            return
+        self.assertEqual(("pass", "speedup_on_2_cores"), (gates["held"]["outcome"], gates["held"]["metric"]))
+        self.assertGreater(gates["held"]["value"], 0.1)
+        # Eight rounds may acquit and never accuse.
+        self.assertEqual("inconclusive", gates["missed"]["outcome"])
+        self.assert_exit(4, result)
+
     def test_the_kits_own_files_are_read(self):
         self.assertGreaterEqual(len(os.listdir(os.path.join(kit.SOURCE, "tests", "gates"))), 4)
 
