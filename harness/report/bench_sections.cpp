@@ -157,12 +157,8 @@ std::string gatesText(const BenchReport& report) {
                                                       measureText(gate.interval->second))
                                         : "")
                    : "-";
-    text += fmt::format("  {:<13}{:<30}{:>22}  {}\n", name(gate.outcome), cellText(gate.id, 29), figure,
-                        cellText(boundText(gate), 31));
-    text += fmt::format("  {:<13}{}\n", "",
-                        cellText(fmt::format("{} {}x{} {} {} {}", gate.scene, gate.size.width,
-                                             gate.size.height, gate.device, gate.stage, gate.case_name),
-                                 84));
+    text += fmt::format("  {:<13}{}\n", name(gate.outcome), cellText(fullName(gate), 84));
+    text += fmt::format("  {:<13}{:<24}{}\n", "", figure, cellText(boundText(gate), 60));
   }
   return text.empty() ? text : text + "\n";
 }

@@ -173,6 +173,26 @@ TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
   EXPECT_NE(text.find("shaders replaced then: none"), std::string::npos) << text;
 }
 
+TEST(BenchText, NamesAGateInFull) {
+  BenchReport made;
+  CheckResult gate{
+      .id = "gate.threads_full_vk.composite_replace", .scene = "corridor", .device = "vk-lavapipe@1"};
+  gate.stage = "hiz";
+  gate.size = {1280, 720};
+  gate.case_name = "tuned";
+  gate.value = 1.9;
+  gate.interval = {1.87, 1.95};
+  gate.min = 1.85;
+  gate.unit = "ratio of wall time";
+  made.gates = {gate};
+  const std::string text = benchText(made);
+  EXPECT_NE(text.find("gate.threads_full_vk.composite_replace corridor 1280x720 tuned vk-lavapipe@1 hiz"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("1.90 (1.87 .. 1.95)"), std::string::npos) << text;
+  EXPECT_NE(text.find(">= 1.85 ratio of wall time"), std::string::npos) << text;
+}
+
 TEST(BenchJson, SaysWhatWasMeasuredAndWhere) {
   BenchReport made = report();
   made.series[1].parameters = TraceParameters{};
