@@ -94,9 +94,9 @@ class Gates(GatesTest):
 
     def test_whole_runs_are_held_to_what_a_second_core_gains(self):
         for name, bound in (("held", 0.01), ("missed", 2.0)):  # two cores never halve a run that has a start
-            self.write(f"kit/tests/gates/process/{name}.toml",
-                       f'[process]\nid = "{name}"\nabout = "a small run"\narguments = ["run", "--scene", "m2", "--stage", '
-                       f'"dda", "--device", "gl-osmesa", "--size", "32x18"]\nruns = 8\nmin_speedup_on_2_cores = {bound}\n')
+            run = (f'[process]\nid = "{name}"\nabout = "a small run"\narguments = ["run", "--scene", "m2", "--stage", "dda", '
+                   f'"--device", "gl-osmesa", "--size", "32x18"]\nruns = 8\nmin_speedup_on_2_cores = {bound}\n')
+            self.write(f"kit/tests/gates/process/{name}.toml", run)
         result = self.gates(GATE)
         gates = {gate["id"]: gate for gate in self.report()["gates"]}
         if len(os.sched_getaffinity(0)) < 2:

@@ -59,7 +59,8 @@ class Commands(CommandLineTest):
             self.assert_exit(0, result)
             wanted = sorted(test for test, of_test in carried.items() if of_test & set(tags))
             self.assertEqual(wanted, sorted(line.split()[0] for line in result.out.splitlines()))
-        self.assert_refused(self.ssrkit("test", "--tag", "geometri", "--list"), "'geometri'", "--tag", "geometry", "cost")
+        self.assert_refused(self.ssrkit("test", "--tag", "geometri", "--list"), "'geometri'", "--tag", "geometry",
+                            "cost")
         self.assert_refused(self.ssrkit("test", "--tag", "geometry", "--filter", "hiz*"), "'hiz*'", "tags")
         self.assert_refused(self.ssrkit("test", "--tag", "geometry", "--only", "unit"), "--tag", "--only unit")
 
