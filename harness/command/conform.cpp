@@ -109,6 +109,14 @@ Expected<void> meetDevices(Suite& suite, const ConformPlan& plan, ConformRun& ru
   return {};
 }
 
+// The folder that GoldenShelf reads; empty where the test asks for no golden.
+std::filesystem::path goldensOf(const TestFile& test, const SceneSource& scene, const KitPaths& paths) {
+  const bool asks_for_any = std::ranges::any_of(test.expectations, [](const Expectation& expectation) {
+    return expectation.truth.kind == TruthKind::kGolden;
+  });
+  return asks_for_any ? paths.goldens / test.id / scene.name : std::filesystem::path();
+}
+
 Expected<void> hashInputs(const KitPaths& paths, ConformRun& run) {
   auto hasher = InputHasher::create("/proc/self/exe", paths.shaders);
   if (!hasher) {
@@ -116,19 +124,23 @@ Expected<void> hashInputs(const KitPaths& paths, ConformRun& run) {
   }
   for (const Cell& cell : run.plan->own) {
     const TestFile& test = run.plan->test(cell);
+    const SceneSource& scene = run.plan->source(cell);
+    CellInputs inputs{.id = cellId(cell),
+                      .test_file = test.file,
+                      .scene_file = scene.file,
+                      .goldens = goldensOf(test, scene, paths)};
     std::vector<std::string> ids = referencesOf(test, cell.device);
     ids.push_back(cell.device);
-    std::vector<DeviceIdentity> devices;
     for (const DeviceRow& device : run.manifest.devices) {
       if (std::ranges::find(ids, device.identity.id) != ids.end()) {
-        devices.push_back(device.identity);
+        inputs.devices.push_back(device.identity);
       }
     }
-    const auto hash = hasher->inputs(cellId(cell), test.file, run.plan->source(cell).file, devices);
+    const auto hash = hasher->inputs(inputs);
     if (!hash) {
       return tl::make_unexpected(hash.error());
     }
-    run.inputs.emplace(cellId(cell), *hash);
+    run.inputs.emplace(inputs.id, *hash);
   }
   return {};
 }

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/hash128.h"
+#include "scene/scene_files.h"
 
 namespace ssrkit {
 
@@ -23,16 +24,15 @@ Expected<InputHasher> InputHasher::create(const fs::path& program, const fs::pat
   return hasher;
 }
 
-Expected<std::string> InputHasher::inputs(const std::string& cell_id, const fs::path& test_file,
-                                          const fs::path& scene_file,
-                                          const std::vector<DeviceIdentity>& devices) {
-  const auto test = ofFile(test_file);
-  const auto scene = test ? ofScene(scene_file) : test;
-  if (!scene) {
-    return tl::make_unexpected(scene.error());
+Expected<std::string> InputHasher::inputs(const CellInputs& cell) {
+  const auto test = ofFile(cell.test_file);
+  const auto goldens = test ? ofGoldens(cell.goldens) : test;
+  if (!goldens) {
+    return tl::make_unexpected(goldens.error());
   }
-  std::string recipe = fmt::format("{}\n{}\n{}\n{}\n", cell_id, kit_, *test, *scene);
-  for (const DeviceIdentity& device : devices) {
+  std::string recipe =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n", cell.id, kit_, *test, ofScene(cell.scene_file), *goldens);
+  for (const DeviceIdentity& device : cell.devices) {
     recipe += fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", device.id, device.api, device.driver, device.version,
                           device.cpu, fmt::join(device.cpu_features, " "));
   }
@@ -50,19 +50,23 @@ Expected<std::string> InputHasher::ofFile(const fs::path& file) {
   return known_[file] = hashName(*content);
 }
 
-Expected<std::string> InputHasher::ofScene(const fs::path& scene_file) {
-  static const std::vector<std::string> kKinds = {".gltf", ".glb", ".bin",  ".toml",
-                                                  ".png",  ".jpg", ".jpeg", ".exr"};
-  std::vector<fs::path> files;
-  std::error_code unreadable;  // then there is the scene's file alone, and reading it says why
-  for (const auto& entry : fs::directory_iterator(fs::absolute(scene_file).parent_path(), unreadable)) {
-    if (std::ranges::find(kKinds, entry.path().extension().string()) != kKinds.end()) {
-      files.push_back(entry.path());
-    }
+// What is not there, or cannot be read, is the cell's to tell.
+std::string InputHasher::ofScene(const fs::path& scene_file) {
+  if (const auto known = scenes_.find(scene_file); known != scenes_.end()) {
+    return known->second;
   }
-  files.push_back(fs::absolute(scene_file));
-  std::ranges::sort(files);
-  return ofFiles(files, fs::absolute(scene_file).parent_path());
+  const fs::path folder = fs::absolute(scene_file).parent_path();
+  std::string recipe;
+  for (const fs::path& file : sceneFiles(fs::absolute(scene_file))) {
+    recipe +=
+        fmt::format("{}\n{}\n", file.lexically_relative(folder).string(), ofFile(file).value_or("none"));
+  }
+  return scenes_[scene_file] = hashName(recipe);
+}
+
+Expected<std::string> InputHasher::ofGoldens(const fs::path& folder) {
+  std::error_code ignored;
+  return folder.empty() || !fs::exists(folder, ignored) ? "" : ofFolder(folder);
 }
 
 Expected<std::string> InputHasher::ofFolder(const fs::path& folder) {

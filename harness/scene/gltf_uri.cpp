@@ -106,11 +106,11 @@ bool isInside(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-Expected<std::vector<std::uint8_t>> readGltfUri(const GltfSource& source, const std::string& uri,
-                                                const std::string& place) {
-  if (uri.starts_with("data:")) {
-    return readDataUri(source, uri, place);
-  }
+bool isDataUri(std::string_view uri) {
+  return uri.starts_with("data:");
+}
+
+Expected<fs::path> gltfUriFile(const GltfSource& source, const std::string& uri, const std::string& place) {
   std::string text = percentDecoded(uri);
   const std::string shown = cleanName(text);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -122,18 +122,29 @@ Expected<std::vector<std::uint8_t>> readGltfUri(const GltfSource& source, const 
     return source.refuse(place,
                          fmt::format("the URI '{}' is neither data: nor a file beside the scene", shown));
   }
-  if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end()) {
-    return source.refuse(place, fmt::format("the URI '{}' leads out of the scene's folder", shown),
-                         "put the file beside the scene");
-  }
   const fs::path folder = source.file.has_parent_path() ? source.file.parent_path() : fs::path(".");
-  if (!isInside(folder / relative, folder)) {
+  const bool leads_out =
+      relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end();
+  if (leads_out || !isInside(folder / relative, folder)) {
     return source.refuse(place, fmt::format("the URI '{}' leads out of the scene's folder", shown),
                          "put the file beside the scene");
   }
-  const Expected<std::string> content = readFile(folder / relative, kMaxFileBytes);
+  return folder / relative;
+}
+
+Expected<std::vector<std::uint8_t>> readGltfUri(const GltfSource& source, const std::string& uri,
+                                                const std::string& place) {
+  if (isDataUri(uri)) {
+    return readDataUri(source, uri, place);
+  }
+  const auto file = gltfUriFile(source, uri, place);
+  if (!file) {
+    return tl::make_unexpected(file.error());
+  }
+  const Expected<std::string> content = readFile(*file, kMaxFileBytes);
   if (!content) {
-    return source.refuse(place, fmt::format("'{}': {}", shown, content.error().problem),
+    return source.refuse(place,
+                         fmt::format("'{}': {}", cleanName(percentDecoded(uri)), content.error().problem),
                          "put the file beside the scene");
   }
   return std::vector<std::uint8_t>(content->begin(), content->end());

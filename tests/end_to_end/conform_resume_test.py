@@ -8,6 +8,25 @@ import time
 import kit
 from conform_kit import CELL, TWO, ConformTest
 
+GOLDEN = """
+[test]
+id = "small"
+about = "what is drawn stays what it was"
+scenes = ["m2"]
+sizes = ["32x18"]
+devices = ["gl-osmesa"]
+stages = ["dda"]
+
+[[expect]]
+metric = "mean_lookups"
+max = 1000
+
+[[expect]]
+name = "hit"
+metric = "different_rays"
+truth = "golden"
+"""
+
 
 class Resuming(ConformTest):
     def test_only_what_is_missing_or_changed_is_run(self):
@@ -24,6 +43,20 @@ class Resuming(ConformTest):
         # Without it everything is run again.
         self.assert_exit(0, self.few())
         self.assertNotEqual(before, os.stat(self.record(kept)).st_mtime_ns)
+
+    def test_a_golden_that_is_blessed_meanwhile_is_seen(self):
+        for folder in ("scenes", "shaders"):
+            os.makedirs(self.path("kit"), exist_ok=True)
+            os.symlink(os.path.join(kit.SOURCE, folder), self.path("kit", folder))
+        for folder in ("expect", "conform"):
+            self.write(f"kit/tests/{folder}/small.toml", GOLDEN)
+        self.write("kit/tests/known_failures.toml", "")
+        root = {"SSRKIT_ROOT": self.path("kit"), "CI": ""}
+        self.assert_exit(1, self.conform(*TWO[:2], env=root))
+        self.assertEqual({"small/m2/32x18/gl-osmesa": "missing"}, self.outcomes())
+        self.assert_exit(0, self.ssrkit("bless", "small", "--why", "it is the first", "--who", "A Tester", env=root))
+        self.assert_exit(0, self.conform(*TWO[:2], "--resume", env=root))
+        self.assertEqual({"small/m2/32x18/gl-osmesa": "pass"}, self.outcomes())
 
     def test_a_run_that_was_killed_goes_on(self):
         filters = ["*/33x17"]
