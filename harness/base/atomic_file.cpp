@@ -12,6 +12,7 @@
 
 #include "base/system_error.h"
 #include "base/unfinished_files.h"
+#include "base/write_all.h"
 
 namespace ssrkit {
 
@@ -47,26 +48,12 @@ int reserve(const fs::path& temporary) {
   return close(fd) == 0 ? 0 : errno;
 }
 
-int writeAll(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = write(fd, content.data(), content.size());
-    if (written < 0 && errno != EINTR) {
-      return errno;
-    }
-    if (written == 0) {
-      return ENOSPC;
-    }
-    content.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-  }
-  return 0;
-}
-
 int fill(const fs::path& temporary, std::string_view content) {
   const int fd = open(temporary.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   if (fd < 0) {
     return errno;
   }
-  const int write_code = writeAll(fd, content);
+  const int write_code = writeAll(fd, std::as_bytes(std::span(content)));
   const int close_code = close(fd) == 0 ? 0 : errno;
   return write_code != 0 ? write_code : close_code;
 }

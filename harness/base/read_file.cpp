@@ -8,6 +8,7 @@
 #include <cerrno>
 
 #include "base/atomic_file.h"
+#include "base/owned_fd.h"
 #include "base/system_error.h"
 
 namespace ssrkit {
@@ -15,22 +16,6 @@ namespace ssrkit {
 namespace fs = std::filesystem;
 
 namespace {
-
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int fd) : fd_(fd) {}
-  ~FileDescriptor() {
-    if (fd_ >= 0) {
-      close(fd_);
-    }
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 tl::unexpected<Error> readError(const fs::path& path, std::string problem, std::string remedy = {}) {
   return inputError(fmt::format("read '{}'", path.string()), std::move(problem), {}, std::move(remedy));
@@ -63,7 +48,7 @@ int readUpTo(int fd, std::size_t size_limit_bytes, std::string& content) {
 
 Expected<std::string> readFile(const fs::path& path, std::size_t size_limit_bytes) {
   // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
-  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  const OwnedFd file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (file.get() < 0 || fstat(file.get(), &status) != 0) {
     return openError(path, errno);

@@ -16,7 +16,10 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <utility>
+#include <span>
+
+#include "base/owned_fd.h"
+#include "base/write_all.h"
 
 #ifdef SSRKIT_COVERAGE
 extern "C" {
@@ -31,23 +34,6 @@ namespace {
 constexpr int kExitDone = 0;
 constexpr int kExitOutOfMemory = 10;
 constexpr int kExitFailed = 11;
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { reset(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-  void reset() {
-    if (fd_ >= 0) {
-      close(std::exchange(fd_, -1));
-    }
-  }
-
- private:
-  int fd_;
-};
 
 void limitMemory([[maybe_unused]] std::size_t more_bytes) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes of addresses
@@ -73,20 +59,8 @@ void prepareChild(const IsolationLimits& limits) {
   setrlimit(RLIMIT_CORE, &no_core);
   limitMemory(limits.memory_bytes);
   // What the compiler's own assertions print is no sentence for the user.
-  const Descriptor nowhere(open("/dev/null", O_WRONLY | O_CLOEXEC));
+  const OwnedFd nowhere(open("/dev/null", O_WRONLY | O_CLOEXEC));
   dup2(nowhere.get(), STDERR_FILENO);
-}
-
-bool writeAll(int fd, const std::string& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t count = write(fd, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno != EINTR) {
-      return false;
-    }
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
-  }
-  return true;
 }
 
 std::string sizePrefix(std::uint64_t size) {
@@ -110,7 +84,8 @@ bool isWhole(const std::string& received) {
   int code = kExitFailed;
   try {
     const std::string bytes = work();
-    code = writeAll(fd, sizePrefix(bytes.size()) + bytes) ? kExitDone : kExitFailed;
+    const std::string sent = sizePrefix(bytes.size()) + bytes;
+    code = writeAll(fd, std::as_bytes(std::span(sent))) == 0 ? kExitDone : kExitFailed;
   } catch (const std::bad_alloc&) {
     code = kExitOutOfMemory;
   } catch (...) {
@@ -164,8 +139,8 @@ IsolatedResult runIsolated(const std::function<std::string()>& work, const Isola
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     return {IsolationEnd::kNotStarted, {}, std::strerror(errno)};
   }
-  const Descriptor reading(ends[0]);
-  Descriptor writing(ends[1]);
+  const OwnedFd reading(ends[0]);
+  OwnedFd writing(ends[1]);
   const pid_t child = fork();
   if (child < 0) {
     return {IsolationEnd::kNotStarted, {}, std::strerror(errno)};

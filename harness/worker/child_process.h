@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "worker/owned_fd.h"
+#include "base/owned_fd.h"
 
 namespace ssrkit {
 

@@ -7,27 +7,15 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/write_all.h"
+
 namespace ssrkit {
 
 namespace {
 
-bool writeAll(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written <= 0) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-tl::unexpected<Error> noMemory() {
+tl::unexpected<Error> noMemory(int code) {
   return setupError("hand data from one process to another",
-                    std::string("no shared memory: ") + std::strerror(errno), {},
+                    std::string("no shared memory: ") + std::strerror(code), {},
                     "free some memory, or choose a smaller size or fewer stages");
 }
 
@@ -35,12 +23,15 @@ tl::unexpected<Error> noMemory() {
 
 Expected<Payload> makePayload(std::span<const std::byte> header, std::span<const BulkPart> bulk) {
   Payload payload{OwnedFd(::memfd_create("ssrkit-message", MFD_CLOEXEC)), header.size(), 0};
-  if (!payload.memory || !writeAll(payload.memory.get(), header)) {
-    return noMemory();
+  if (!payload.memory) {
+    return noMemory(errno);
+  }
+  if (const int code = writeAll(payload.memory.get(), header); code != 0) {
+    return noMemory(code);
   }
   for (const BulkPart& part : bulk) {
-    if (!writeAll(payload.memory.get(), part.bytes)) {
-      return noMemory();
+    if (const int code = writeAll(payload.memory.get(), part.bytes); code != 0) {
+      return noMemory(code);
     }
     payload.bulk_bytes += part.bytes.size();
     if (part.release) {

@@ -10,9 +10,9 @@
 #include <future>
 #include <thread>
 
+#include "base/owned_fd.h"
 #include "fake_worker.h"
 #include "samples.h"
-#include "worker/owned_fd.h"
 
 namespace ssrkit {
 
