@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -120,11 +119,9 @@ Expected<std::shared_ptr<const tinygltf::Model>> parseModel(const GltfSource& so
 }
 
 void noteIgnoredExtensions(GltfDocument& document) {
-  constexpr std::array<std::string_view, 4> kRead{"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                                  "KHR_mesh_quantization", "KHR_texture_transform"};
   std::vector<std::string> ignored;
   for (const std::string& name : document.model->extensionsUsed) {
-    if (std::find(kRead.begin(), kRead.end(), name) == kRead.end()) {
+    if (!isReadExtension(name)) {
       ignored.push_back(cleanName(name));
     }
   }

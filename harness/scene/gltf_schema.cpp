@@ -20,10 +20,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxElements = 262'144;  // of an array of objects
 
-constexpr auto kSupportedExtensions =
-    std::to_array<std::string_view>({"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                     "KHR_mesh_quantization", "KHR_texture_transform"});
-
 // Length of the array at `path`, 0 where there is none.
 std::size_t lengthOf(const json& root, std::string_view path) {
   const json* value = &root;
@@ -153,8 +149,7 @@ Expected<void> checkExtensions(const GltfSource& source, const json& root) {
       return source.refuse(place, "the value is not a string");
     }
     const std::string name = (*required)[i].get<std::string>();
-    if (std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), name) ==
-        kSupportedExtensions.end()) {
+    if (!isReadExtension(name)) {
       return source.refuse(place,
                            fmt::format("the file needs {}, which ssrkit does not read", cleanName(name)),
                            "export it again without that extension");
@@ -164,6 +159,13 @@ Expected<void> checkExtensions(const GltfSource& source, const json& root) {
 }
 
 }  // namespace
+
+bool isReadExtension(std::string_view name) {
+  constexpr auto kRead =
+      std::to_array<std::string_view>({"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                       "KHR_mesh_quantization", "KHR_texture_transform"});
+  return std::find(kRead.begin(), kRead.end(), name) != kRead.end();
+}
 
 Expected<void> checkGltfSchema(const GltfSource& source, const json& root) {
   if (auto version = checkVersion(source, root); !version) {
