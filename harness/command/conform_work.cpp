@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
+#include <memory>
 
+#include "base/share_out.h"
 #include "conform/extra_tests.h"
 #include "conform/plan.h"
 
@@ -27,22 +27,20 @@ Expected<void> keep(ConformRun& run, std::vector<CellRecord> records) {
   return {};
 }
 
-void work(ConformRun& run, std::atomic<std::size_t>& next, ConformLane lane) {
-  for (std::size_t i = next++; i < run.groups.size(); i = next++) {
-    {
-      const std::lock_guard lock(run.mutex);
-      if (run.failure) {
-        return;
-      }
-      run.progress.show(fmt::format("{}/{} cells, {} failed: {}", run.records.size(), run.plan->own.size(),
-                                    run.failed, groupId(run.groups[i].front())));
-    }
-    auto records = lane.run(run.groups[i]);
+void work(ConformRun& run, const std::vector<Cell>& group, ConformLane& lane) {
+  {
     const std::lock_guard lock(run.mutex);
-    const auto kept = records ? keep(run, std::move(*records)) : tl::make_unexpected(records.error());
-    if (!kept && !run.failure) {
-      run.failure = kept.error();
+    if (run.failure) {
+      return;
     }
+    run.progress.show(fmt::format("{}/{} cells, {} failed: {}", run.records.size(), run.plan->own.size(),
+                                  run.failed, groupId(group.front())));
+  }
+  auto records = lane.run(group);
+  const std::lock_guard lock(run.mutex);
+  const auto kept = records ? keep(run, std::move(*records)) : tl::make_unexpected(records.error());
+  if (!kept && !run.failure) {
+    run.failure = kept.error();
   }
 }
 
@@ -93,16 +91,11 @@ Expected<void> divideWork(ConformRun& run) {
 }
 
 Expected<void> workThrough(ConformRun& run, const MakeSuite& make_suite, int lanes) {
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::thread> threads;
-  threads.reserve(static_cast<std::size_t>(lanes));
-  for (int i = 0; i < lanes; ++i) {
-    threads.emplace_back(
-        [&] { work(run, next, ConformLane(*run.plan, run.store, make_suite, run.options->repeat)); });
-  }
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
+  shareOut(static_cast<int>(run.groups.size()), lanes, [&](int) -> Lane {
+    return
+        [&run, lane = std::make_shared<ConformLane>(*run.plan, run.store, make_suite, run.options->repeat)](
+            int i) { work(run, run.groups[static_cast<std::size_t>(i)], *lane); };
+  });
   run.progress.clear();
   return run.failure ? Expected<void>(tl::make_unexpected(*run.failure)) : Expected<void>{};
 }

@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include "base/atomic_file.h"
+#include "base/share_out.h"
 #include "check/outcome.h"
 #include "command/empty_folder.h"
 #include "command/kit_paths.h"
@@ -78,26 +78,19 @@ std::set<std::string> otherTestsThatNoticed(const std::vector<MutantRun>& runs, 
 std::vector<MutantRun> runAll(const std::vector<Mutant>& mutants, const MutationPlan& plan,
                               const fs::path& scratch, const std::function<void(const MutantRun&)>& show) {
   std::vector<MutantRun> runs(mutants.size() + 1);
-  std::atomic<std::size_t> next = 0;
   std::mutex showing;
-  const auto work = [&](unsigned number) {
+  constexpr int kOneForEachProcessor = 0;
+  shareOut(static_cast<int>(runs.size()), kOneForEachProcessor, [&](int number) -> Lane {
     const fs::path folder = scratch / std::to_string(number);
     std::error_code ignored;
     fs::create_directories(folder, ignored);
-    MutantRunner runner(plan, folder);
-    for (std::size_t i = next++; i < runs.size(); i = next++) {
-      runs[i] = i == 0 ? runner.runKit(mutants) : runner.run(mutants[i - 1]);
+    return [&, runner = std::make_shared<MutantRunner>(plan, folder)](int i) {
+      const auto index = static_cast<std::size_t>(i);
+      runs[index] = i == 0 ? runner->runKit(mutants) : runner->run(mutants[index - 1]);
       const std::lock_guard lock(showing);
-      show(runs[i]);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned number = 0; number < std::max(1U, std::thread::hardware_concurrency()); ++number) {
-    threads.emplace_back(work, number);
-  }
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
+      show(runs[index]);
+    };
+  });
   if (const auto tests = otherTestsThatNoticed(runs, plan); !tests.empty()) {
     MutantRunner(plan, scratch).holdKitAgainst(tests, runs.front());
   }

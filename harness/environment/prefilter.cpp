@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "base/share_out.h"
 #include "environment/low_discrepancy.h"
-#include "environment/parallel.h"
 
 namespace ssrkit {
 
@@ -17,7 +17,7 @@ constexpr int kCoarsestInner = 4;
 
 // Every texel inside the border, a row a piece of work.
 void fillRows(OctahedralMap& map, const std::function<glm::vec3(int, int)>& texel) {
-  forEachInParallel(map.inner(), [&](int row) {
+  forEachInParallel(map.inner(), 0, [&](int row) {
     for (int x = 1; x <= map.inner(); ++x) {
       map.at(x, row + 1) = texel(x, row + 1);
     }

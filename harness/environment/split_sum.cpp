@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "environment/parallel.h"
+#include "base/share_out.h"
 
 namespace ssrkit {
 
@@ -96,7 +96,7 @@ std::vector<glm::vec2> splitSumTable() {
   constexpr float kLeastRoughness = 0.01F;
   std::vector<glm::vec2> table(static_cast<std::size_t>(kSplitSumSide) * kSplitSumSide);
   const auto at = [](int i) { return static_cast<float>(i) / static_cast<float>(kSplitSumSide - 1); };
-  forEachInParallel(kSplitSumSide, [&](int row) {
+  forEachInParallel(kSplitSumSide, 0, [&](int row) {
     for (int column = 0; column < kSplitSumSide; ++column) {
       const float root = std::max(at(column), kLeastRoot);
       table[static_cast<std::size_t>(row) * kSplitSumSide + static_cast<std::size_t>(column)] =

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/share_out.h"
 #include "oracle/image_ray.h"
-#include "oracle/rows.h"
 
 namespace ssrkit {
 
@@ -121,7 +121,7 @@ Expected<GeometryResult> traceGeometry(const OracleInput& input, const TrueSurfa
   const PixelProjection projection = pixelProjection(*input.camera);
   const Size size = input.camera->size;
   GeometryResult result(size);
-  forEachRow(size.height, thread_count, [&](int y) {
+  forEachInParallel(size.height, thread_count, [&](int y) {
     std::vector<TrueRay> row;
     row.reserve(static_cast<std::size_t>(size.width));
     for (int x = 0; x < size.width; ++x) {
@@ -135,7 +135,7 @@ Expected<GeometryResult> traceGeometry(const OracleInput& input, const TrueSurfa
 Image trueDistView(const Camera& camera, const TrueSurfaces& surfaces, int thread_count) {
   const PixelProjection projection = pixelProjection(camera);
   Image dist_view(camera.size, {"Z"});
-  forEachRow(camera.size.height, thread_count, [&](int y) {
+  forEachInParallel(camera.size.height, thread_count, [&](int y) {
     for (int x = 0; x < camera.size.width; ++x) {
       const glm::dvec3 way = towards(projection, {x + 0.5, y + 0.5});
       const double metres_per_dist = glm::length(way);

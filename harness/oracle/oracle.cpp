@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/share_out.h"
 #include "base/size.h"
 #include "oracle/cell_walk.h"
 #include "oracle/image_ray.h"
-#include "oracle/rows.h"
 
 namespace ssrkit {
 
@@ -118,7 +118,7 @@ Expected<OracleResult> traceOracle(const OracleInput& input, int thread_count) {
   result.record.size = size;
   result.record.rays.resize(input.dist_view->texelCount());
   result.ambiguity.resize(input.dist_view->texelCount());
-  forEachRow(size.height, thread_count, [&](int y) { traceRow(input, projection, field, y, result); });
+  forEachInParallel(size.height, thread_count, [&](int y) { traceRow(input, projection, field, y, result); });
   return result;
 }
 
