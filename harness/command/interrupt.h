@@ -1,4 +1,4 @@
-// Ctrl-C and its kin: workers are ended, unfinished files removed, nothing else of the run is touched.
+// Ctrl-C and its kin: children are ended, unfinished files removed, nothing else of the run is touched.
 #pragma once
 
 namespace ssrkit {

@@ -1,27 +1,25 @@
 #include "command/process_cost.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sched.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <cctype>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <thread>
+
+#include "command/child_program.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};
+constexpr std::chrono::milliseconds kLook{15};
 constexpr double kMibPerKib = 1.0 / 1024.0;
 
 // Field 4 of /proc/PID/stat, after a name in brackets that may hold anything; 0 when the process is gone.
@@ -103,26 +101,6 @@ class OnCores {
   cpu_set_t before_;
 };
 
-Expected<pid_t> start(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {"ssrkit"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  std::ranges::transform(words, std::back_inserter(pointers), [](std::string& word) { return word.data(); });
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
-    ::posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
-  }
-  pid_t process = 0;
-  const int error = ::posix_spawn(&process, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    return setupError("run the program", std::strerror(error));
-  }
-  return process;
-}
-
 }  // namespace
 
 int usableCoreCount() {
@@ -132,22 +110,24 @@ int usableCoreCount() {
 
 Expected<ProcessCost> measureProcess(const std::vector<std::string>& arguments, bool wants_memory,
                                      int core_count) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto process = [&] {
-    const OnCores kept(core_count);
-    return start(arguments);
-  }();
-  if (!process) {
-    return tl::make_unexpected(process.error());
-  }
+  const OnCores kept(core_count);
+  ChildProgram program{.arguments = {"/proc/self/exe"}, .output = "/dev/null", .limit = kNoLimit};
+  program.arguments.insert(program.arguments.end(), arguments.begin(), arguments.end());
   ProcessCost cost;
-  int status = 0;
-  while (::waitpid(*process, &status, wants_memory ? WNOHANG : 0) == 0) {
-    cost.peak_memory_mib = std::max(cost.peak_memory_mib, treeMemoryMib(*process));
-    std::this_thread::sleep_for(kLook);
+  std::function<void(pid_t)> look;
+  if (wants_memory) {
+    look = [&](pid_t process) {
+      cost.peak_memory_mib = std::max(cost.peak_memory_mib, treeMemoryMib(process));
+      std::this_thread::sleep_for(kLook);
+    };
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const auto exit_code = runChild(program, look);
+  if (!exit_code) {
+    return tl::make_unexpected(exit_code.error());
   }
   cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  cost.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  cost.exit_code = *exit_code;
   return cost;
 }
 

@@ -11,7 +11,7 @@ namespace ssrkit {
 struct ProcessCost {
   double wall_s = 0.0;
   double peak_memory_mib = 0.0;  // of all its processes together; shared pages count once (Pss)
-  int exit_code = 0;
+  int exit_code = 0;             // as runChild tells it
 };
 
 // The processors that this process may run on.

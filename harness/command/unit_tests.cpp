@@ -1,9 +1,6 @@
 #include "command/unit_tests.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +9,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "command/child_program.h"
 
 namespace ssrkit {
 
@@ -33,24 +31,11 @@ std::string regexOf(const std::string& filter) {
   return regex + "$";
 }
 
-Expected<int> runProgram(std::vector<std::string> arguments) {
-  std::vector<char*> argv;
-  argv.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) {
-    argv.push_back(argument.data());
-  }
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  if (const int error = posix_spawnp(&child, argv.front(), nullptr, nullptr, argv.data(), environ);
-      error != 0) {
-    return setupError(kAttempted,
-                      fmt::format("{} cannot be started: {}", arguments.front(), std::strerror(error)), "",
-                      "install the package cmake");
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+Expected<int> runCtest(const std::filesystem::path& build, const std::vector<std::string>& options) {
+  std::vector<std::string> arguments = {"ctest", "--test-dir", build.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return runChild(
+      {.arguments = arguments, .limit = kNoLimit, .remedy = "install the package cmake, which has it"});
 }
 
 // A number from the attributes of <testsuite ...>, which stand on lines of their own.
@@ -76,9 +61,9 @@ Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const 
   const std::filesystem::path junit_file = build / "unit-tests.xml";
   std::error_code ignored;
   std::filesystem::remove(junit_file, ignored);
-  const auto code = runProgram({"ctest", "--test-dir", build.string(), "--output-on-failure", "--progress",
-                                "-j", std::to_string(std::thread::hardware_concurrency()), "-R",
-                                regexOf(filter), "--output-junit", junit_file.string()});
+  const auto code = runCtest(
+      build, {"--output-on-failure", "--progress", "-j", std::to_string(std::thread::hardware_concurrency()),
+              "-R", regexOf(filter), "--output-junit", junit_file.string()});
   if (!code) {
     return tl::make_unexpected(code.error());
   }
@@ -104,7 +89,7 @@ Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const 
 }
 
 Expected<void> listUnitTests(const std::filesystem::path& build, const std::string& filter) {
-  const auto code = runProgram({"ctest", "--test-dir", build.string(), "-N", "-R", regexOf(filter)});
+  const auto code = runCtest(build, {"-N", "-R", regexOf(filter)});
   return code ? Expected<void>{} : tl::make_unexpected(code.error());
 }
 

@@ -118,11 +118,15 @@ bool readResult(int fd, std::string& bytes, std::chrono::seconds limit) {
   return true;
 }
 
+IsolatedResult done(const std::string& bytes) {
+  return {IsolationEnd::kDone, bytes.substr(sizeof(std::uint64_t)), {}};
+}
+
 IsolatedResult judge(int status, const std::string& bytes) {
   if (WIFEXITED(status)) {
     const int code = WEXITSTATUS(status);
     if (code == kExitDone && isWhole(bytes)) {
-      return {IsolationEnd::kDone, bytes.substr(sizeof(std::uint64_t)), {}};
+      return done(bytes);
     }
     return {
         code == kExitOutOfMemory ? IsolationEnd::kOutOfMemory : IsolationEnd::kCrashed, {}, "an exception"};
@@ -158,7 +162,8 @@ IsolatedResult runIsolated(const std::function<std::string()>& work, const Isola
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) {
-      return {IsolationEnd::kCrashed, {}, std::strerror(errno)};
+      // How it ended cannot be told (SIGCHLD is ignored): a whole result says that it did its work.
+      return isWhole(bytes) ? done(bytes) : IsolatedResult{IsolationEnd::kCrashed, {}, std::strerror(errno)};
     }
   }
   return judge(status, bytes);

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <string>
 
-#include "worker/kill_table.h"
+#include "base/process_groups.h"
 #include "worker/spawn.h"
 
 namespace ssrkit {
@@ -65,7 +65,7 @@ Expected<ChildProcess> ChildProcess::start(const ChildCommand& command) {
     return tl::make_unexpected(pid.error());
   }
   child.pid_ = *pid;
-  rememberWorker(child.pid_);
+  rememberGroup(child.pid_);
   return child;
 }
 
@@ -125,7 +125,7 @@ ChildEnd ChildProcess::end(std::chrono::milliseconds grace) {
   socket_.reset();
   const bool ended = waitForEnd(grace);
   ::kill(-pid_, SIGKILL);  // also when it has ended: what it may have started shares its group
-  forgetWorker(pid_);
+  forgetGroup(pid_);
   ChildEnd how = collect(std::exchange(pid_, 0));
   drainStderr();
   how.was_killed = !ended;

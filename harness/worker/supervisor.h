@@ -77,8 +77,4 @@ class Worker {
 // the exit code.
 [[nodiscard]] int workerMain(const std::string& device_id, int fd);
 
-// Kills every worker of this process at once. Only calls that are safe in a signal handler: workers have
-// process groups of their own, so the terminal's Ctrl-C does not reach them.
-void killAllWorkers() noexcept;
-
 }  // namespace ssrkit

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/owned_fd.h"
+#include "base/process_groups.h"
 #include "fake_worker.h"
 #include "samples.h"
 
@@ -181,14 +182,14 @@ TEST(Lifetime, AWorkerOutlivesTheThreadThatStartedIt) {
   EXPECT_EQ(note(worker.run(fakeJob("pid"), kAmple)), pid);
 }
 
-TEST(Lifetime, KillAllWorkersEndsTheJobsOfEveryWorkerAtOnce) {
+TEST(Lifetime, KillAllGroupsEndsTheJobsOfEveryWorkerAtOnce) {
   const Spinning spinning;
   Worker busy = fakeWorker();
   Worker idle = fakeWorker();
   const std::string idle_pid = idle.info()->identity.cpu;
   auto outcome = std::async(std::launch::async, [&] { return busy.run(spinning.job(), kAmple); });
   static_cast<void>(spinning.pid());
-  killAllWorkers();
+  killAllGroups();
   const JobOutcome ended = outcome.get();
   ASSERT_TRUE(std::holds_alternative<WorkerDeath>(ended));
   EXPECT_EQ(std::get<WorkerDeath>(ended).kind, WorkerDeath::Kind::kCrash);
@@ -196,8 +197,18 @@ TEST(Lifetime, KillAllWorkersEndsTheJobsOfEveryWorkerAtOnce) {
   EXPECT_NE(note(idle.run(fakeJob("pid"), kAmple)), idle_pid);
 }
 
-TEST(Lifetime, KillAllWorkersWithoutWorkersDoesNothing) {
-  killAllWorkers();
+TEST(Lifetime, KillAllGroupsSparesChildrenThatAreNotRemembered) {
+  ASSERT_TRUE(fakeWorker().info());  // it has ended, and is forgotten
+  const pid_t stranger = ::fork();
+  if (stranger == 0) {
+    ::pause();
+    std::_Exit(0);
+  }
+  killAllGroups();
+  std::this_thread::sleep_for(milliseconds(50));
+  EXPECT_EQ(::waitpid(stranger, nullptr, WNOHANG), 0);
+  ::kill(stranger, SIGKILL);
+  EXPECT_EQ(::waitpid(stranger, nullptr, 0), stranger);
 }
 
 TEST(Lifetime, AWorkerInTheMiddleOfAJobEndsWhenItsSupervisorIsKilled) {

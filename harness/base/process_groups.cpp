@@ -1,18 +1,16 @@
-#include "worker/kill_table.h"
+#include "base/process_groups.h"
 
 #include <array>
 #include <atomic>
 #include <csignal>
 
-#include "worker/supervisor.h"
-
 namespace ssrkit {
 
 namespace {
 
-// Far more than the devices there are. A worker that finds no place still ends when its socket closes.
-constexpr std::size_t kMaxWorkers = 256;
-std::array<std::atomic<pid_t>, kMaxWorkers> groups = {};
+// Far more than there are at once. A worker that finds no place still ends when its socket closes.
+constexpr std::size_t kMaxGroups = 256;
+std::array<std::atomic<pid_t>, kMaxGroups> groups = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler reads it");
 
 void replaceOnce(pid_t from, pid_t to) {
@@ -26,14 +24,14 @@ void replaceOnce(pid_t from, pid_t to) {
 
 }  // namespace
 
-void rememberWorker(pid_t group) {
+void rememberGroup(pid_t group) {
   replaceOnce(0, group);
 }
-void forgetWorker(pid_t group) {
+void forgetGroup(pid_t group) {
   replaceOnce(group, 0);
 }
 
-void killAllWorkers() noexcept {
+void killAllGroups() noexcept {
   for (const std::atomic<pid_t>& slot : groups) {
     const pid_t group = slot.load();
     if (group > 0) {
