@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
-#include <cstring>
 
 #include "base/check.h"
-#include "base/text.h"
 #include "worker/child_process.h"
 #include "worker/message.h"
 #include "worker/serve.h"
 #include "worker/wire.h"
+#include "worker/worker_death.h"
 
 namespace ssrkit {
 
@@ -23,34 +21,9 @@ using std::chrono::milliseconds;
 
 // For a worker that closes its socket: its threads' ends take a moment, on a busy machine more than a second.
 constexpr milliseconds kGrace{5000};
-constexpr std::size_t kMaxReasons = 20;
-
-std::string describe(const WorkerDeath& death) {
-  std::string text = "its worker process ";
-  if (death.kind == WorkerDeath::Kind::kTimeout) {
-    text += "gave no answer in time";
-  } else if (death.signal != 0) {
-    const char* const description = sigdescr_np(death.signal);
-    text += fmt::format("died of signal {} ({})", death.signal, description ? description : "unknown");
-  } else {
-    text += "ended";
-  }
-  return death.last_progress.empty() ? text : text + " in '" + death.last_progress + "'";
-}
-
-std::vector<std::string> lastLines(const std::string& text) {
-  std::vector<std::string> lines = split(text, '\n');
-  std::erase(lines, "");
-  if (lines.size() > kMaxReasons) {
-    lines.erase(lines.begin(), lines.end() - kMaxReasons);
-  }
-  return lines;
-}
-
-int pollTimeout(Clock::duration remaining) {
-  const auto whole = std::chrono::ceil<milliseconds>(remaining);
-  return static_cast<int>(std::clamp(whole, milliseconds(0), milliseconds(60000)).count());
-}
+constexpr milliseconds kLongestPoll{60000};
+// A worker that never stops telling what it does gives no answer.
+constexpr int kMostLateMessages = 4096;
 
 }  // namespace
 
@@ -70,6 +43,7 @@ struct Worker::Impl {
   Expected<void> greet();
   JobOutcome run(const Job& job, const JobLimits& limits);
   Reply awaitReply(const JobLimits& limits);
+  void watch(milliseconds most);
   WorkerDeath bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note);
   WorkerDeath buryForGarbage() {
     return bury(WorkerDeath::Kind::kCrash, milliseconds(0), "the worker sent bytes that are no message");
@@ -80,6 +54,7 @@ struct Worker::Impl {
   std::vector<std::pair<std::string, std::string>> environment;
   WorkerOptions options;
   std::optional<ChildProcess> child;
+  bool stderr_open = true;                            // of the child
   std::optional<std::int64_t> bytes_after_first_job;  // of the child
   std::optional<DeviceInfo> device;
   std::string last_progress;
@@ -108,6 +83,7 @@ Expected<void> Worker::Impl::ensureStarted() {
     return tl::make_unexpected(started.error());
   }
   child.emplace(std::move(*started));
+  stderr_open = true;
   bytes_after_first_job.reset();
   Expected<void> greeted = greet();
   if (!greeted) {
@@ -181,61 +157,52 @@ JobOutcome Worker::Impl::run(const Job& job, const JobLimits& limits) {
   return buryForGarbage();
 }
 
-// Keeps last_progress and the tail of stderr up to date until anything but progress arrives.
+// Keeps last_progress and the tail of stderr up to date until anything but progress arrives. This process may
+// have been stopped for longer than the limit: what came meanwhile lies in the socket, and is read first.
 Worker::Impl::Reply Worker::Impl::awaitReply(const JobLimits& limits) {
   const Clock::time_point end = Clock::now() + limits.wall;
   Clock::time_point deadline = end;
-  bool stderr_open = true;
-  while (Clock::now() < deadline) {
-    std::array<pollfd, 2> watched = {pollfd{child->socket(), POLLIN, 0},
-                                     pollfd{stderr_open ? child->stderrPipe() : -1, POLLIN, 0}};
-    ::poll(watched.data(), watched.size(), pollTimeout(deadline - Clock::now()));
-    if (watched[1].revents != 0) {
-      stderr_open = child->drainStderr();
-    }
-    if (watched[0].revents == 0) {
+  int late_messages = 0;
+  while (late_messages <= kMostLateMessages) {
+    const bool is_late = Clock::now() >= deadline;
+    watch(is_late ? milliseconds(0) : std::chrono::ceil<milliseconds>(deadline - Clock::now()));
+    Received received = receiveMessage(child->socket(), false);
+    if (received.state == Received::State::kNothingYet) {
+      if (is_late) {
+        break;
+      }
       continue;
     }
-    Received received = receiveMessage(child->socket(), false);
     if (received.state == Received::State::kClosed) {
       return bury(WorkerDeath::Kind::kCrash, kGrace, "");
     }
     if (received.state == Received::State::kGarbage) {
       return buryForGarbage();
     }
-    if (received.state == Received::State::kMessage) {
-      if (received.message.type != MessageType::kProgress) {
-        return std::move(received.message);
-      }
-      last_progress = std::move(received.message.text);
-      deadline = std::min(end, Clock::now() + budgetOf(phaseOf(last_progress), limits));
+    if (received.message.type != MessageType::kProgress) {
+      return std::move(received.message);
     }
+    last_progress = std::move(received.message.text);
+    deadline = std::min(end, Clock::now() + budgetOf(phaseOf(last_progress), limits));
+    late_messages += is_late ? 1 : 0;
   }
   return bury(WorkerDeath::Kind::kTimeout, milliseconds(0), "");
 }
 
+// Until the worker says something, or for `most`.
+void Worker::Impl::watch(milliseconds most) {
+  std::array<pollfd, 2> watched = {pollfd{child->socket(), POLLIN, 0},
+                                   pollfd{stderr_open ? child->stderrPipe() : -1, POLLIN, 0}};
+  ::poll(watched.data(), watched.size(), static_cast<int>(std::min(most, kLongestPoll).count()));
+  if (watched[1].revents != 0) {
+    stderr_open = child->drainStderr();
+  }
+}
+
 WorkerDeath Worker::Impl::bury(WorkerDeath::Kind kind, milliseconds grace, const std::string& note) {
   const ChildEnd end = child->end(grace);
-  WorkerDeath death{kind, end.signal, last_progress, child->stderrTail(), phaseOf(last_progress)};
+  WorkerDeath death = deathFrom(kind, end, last_progress, child->stderrTail(), note);
   child.reset();
-  if (end.signal == SIGXCPU) {
-    death.kind = WorkerDeath::Kind::kTimeout;
-  }
-  if (death.kind == WorkerDeath::Kind::kTimeout) {
-    return death;
-  }
-  std::string last_line = note;
-  const bool went_on = end.was_killed || (end.signal == 0 && end.exit_code == kAbandoned);
-  if (went_on) {
-    death.signal = 0;  // ours, and not the cause
-    last_line = note.empty() ? "the worker closed its socket and went on" : note;
-  } else if (end.signal == 0) {
-    last_line = fmt::format("the worker exited with code {} before it answered", end.exit_code);
-  }
-  if (!last_line.empty()) {
-    const bool needs_newline = !death.stderr_tail.empty() && death.stderr_tail.back() != '\n';
-    death.stderr_tail += (needs_newline ? "\n" : "") + last_line + "\n";
-  }
   return death;
 }
 

@@ -14,18 +14,9 @@
 #include "device/traits.h"
 #include "frame/job.h"
 #include "worker/job_limits.h"
+#include "worker/worker_death.h"
 
 namespace ssrkit {
-
-// The worker died or stopped answering in the middle of a job.
-struct WorkerDeath {
-  enum class Kind { kCrash, kTimeout };
-  Kind kind = Kind::kCrash;
-  int signal = 0;  // that ended it: SIGKILL for the wall limit, SIGXCPU for the CPU limit, 0 for none
-  std::string last_progress;  // what it had begun
-  std::string stderr_tail;    // the last lines it wrote; without a signal, a last line says how it ended
-  JobPhase phase = JobPhase::kOther;  // of last_progress
-};
 
 using JobOutcome = std::variant<JobResult, Error, WorkerDeath>;
 
