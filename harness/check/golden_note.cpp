@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "base/size.h"
 
 namespace ssrkit {
@@ -84,7 +85,7 @@ std::string goldenNoteText(const StoredGolden& stored) {
                      {"metrics", stored.note.metrics},
                      {"channels", stored.channels},
                      {"image", stored.image_hash}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 Expected<StoredGolden> parseGoldenNote(std::string_view text, const std::string& file) try {

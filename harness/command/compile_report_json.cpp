@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/json_text.h"
 #include "command/compile_names.h"
 #include "command/compile_report.h"
 
@@ -92,8 +93,7 @@ Json resultJson(const CompileResult& result) {
 std::string compileReportJson(const std::string& file, std::span<const CompileResult> results) {
   Json json = {{"file", file}, {"targets", Json::array()}};
   std::ranges::transform(results, std::back_inserter(json["targets"]), resultJson);
-  // Bytes of a shader that are no UTF-8 must not throw here.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 }  // namespace ssrkit

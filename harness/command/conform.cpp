@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/json_text.h"
 #include "command/conform_plan.h"
 #include "command/conform_report.h"
 #include "command/conform_work.h"
@@ -44,7 +45,7 @@ int printList(const ConformPlan& plan, bool json) {
     }
   }
   if (json) {
-    fmt::print("{}\n", ids.dump(1));
+    fmt::print("{}\n", jsonText(ids, 1));
   }
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/json_text.h"
 #include "command/kit_paths.h"
 #include "worker/supervisor.h"
 
@@ -90,7 +91,7 @@ Expected<int> devicesCommand(const DevicesOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", list.dump(2));
+    fmt::print("{}\n", jsonText(list, 2));
   }
   return all_present || options.devices.empty() ? 0 : 3;
 }

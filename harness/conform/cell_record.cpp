@@ -8,6 +8,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "conform/json_fields.h"
 #include "report/json_parts.h"
 #include "report/ledger_json.h"
@@ -153,7 +154,7 @@ std::string toJson(const CellRecord& record) {
                      {"attempts", record.attempts},
                      {"checks", std::move(checks)},
                      {"ledger", ledgerJson(record.ledger)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 Expected<CellRecord> readCellRecord(std::string_view json, const std::string& file) {

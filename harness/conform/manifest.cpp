@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "conform/json_fields.h"
 #include "report/json_parts.h"
 
@@ -51,7 +52,7 @@ std::string toJson(const Manifest& manifest) {
                      {"devices", std::move(devices)},
                      {"absent", std::move(absent)},
                      {"cells", std::move(cells)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 Expected<Manifest> readManifest(std::string_view json, const std::string& file) {

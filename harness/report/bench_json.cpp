@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "report/bench_report.h"
 #include "report/json_parts.h"
 
@@ -134,7 +135,7 @@ std::string benchJson(const BenchReport& report) {
       {"changes", listOf(report.comparison.changes, changeOf)},
       {"uncompared", listOf(report.comparison.uncompared, uncomparedOf)},
       {"gates", listOf(report.gates, gateOf)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 }  // namespace ssrkit

@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/json_text.h"
 #include "base/size.h"
 #include "check/outcome.h"
 #include "report/checks_page.h"
@@ -78,7 +79,7 @@ Expected<Json> rowsOf(const RunReport& report, TextTable& texts) {
 // As it may stand in a script element: no "</script>" in it, whatever the data say.
 std::string scriptText(const Json& json) {
   std::string safe;
-  for (const char byte : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  for (const char byte : jsonText(json, -1)) {
     safe += byte == '<' ? "\\u003c" : std::string(1, byte);
   }
   return safe;

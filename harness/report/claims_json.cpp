@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "report/claims_report.h"
 #include "report/json_parts.h"
 
@@ -91,7 +92,7 @@ std::string claimsJson(const ClaimsReport& report) {
                      {"kit_version", report.kit_version}, {"started", report.started},
                      {"command", report.command},         {"summary", verdictCounts(report)},
                      {"devices", std::move(devices)},     {"claims", std::move(claims)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 }  // namespace ssrkit

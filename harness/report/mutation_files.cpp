@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_text.h"
 #include "report/html_text.h"
 #include "report/json_parts.h"
 #include "report/mutation_report.h"
@@ -93,7 +94,7 @@ std::string mutationJson(const MutationReport& report) {
                      {"idle", summary.idle},
                      {"needed", summary.needed},
                      {"runs", runs}};
-  return json.dump(2) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 std::string killMatrixCsv(const MutationReport& report) {

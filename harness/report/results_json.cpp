@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/json_text.h"
 #include "base/text.h"
 #include "check/outcome.h"
 #include "report/json_parts.h"
@@ -159,7 +160,7 @@ std::string resultsJson(const RunReport& report) {
       {"geometry", listOf(report.geometries, geometryOf)},
       {"ledger", ledgerJson(report.ledger)},
       {"cells", listOf(report.cells, cellOf)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 Expected<void> writeResultsJson(const std::filesystem::path& path, const RunReport& report) {

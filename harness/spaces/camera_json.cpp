@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_text.h"
+
 namespace ssrkit {
 
 namespace {
@@ -117,7 +119,7 @@ std::string toJson(const Camera& camera) {
                          {"view", "+x right, +y up, looking along -z, metres"},
                          {"ndc_z", "0 at near_m, 1 at far_m"},
                          {"pixels", "origin upper left, +y down, texel centres at .5"}};
-  return json.dump(2) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 Expected<Camera> cameraFromJson(std::string_view text, const std::string& where) {

@@ -96,6 +96,13 @@ TEST(MutationJson, HoldsTheScoreAndEveryRun) {
   EXPECT_EQ(json.at("runs").at(0).at("passed"), false);
 }
 
+TEST(MutationJson, TakesArgumentsThatAreNoUtf8) {
+  MutationReport odd = report({killed()});
+  odd.command = {"./ssrkit", "mutate", "--out", "caf\xe9"};
+  const auto json = nlohmann::json::parse(mutationJson(odd));
+  EXPECT_EQ(json.at("command")[3], "caf\xef\xbf\xbd");
+}
+
 TEST(MutationHtml, EscapesWhatChecksSay) {
   MutantRun run = killed();
   run.said["oracle.walk"] = "<b> & \"c\"";

@@ -1,0 +1,11 @@
+#include "base/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ssrkit {
+
+std::string jsonText(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace ssrkit
