@@ -10,6 +10,7 @@
 
 #include "base/size.h"
 #include "check/outcome.h"
+#include "spaces/trace_parameters.h"
 
 namespace ssrkit {
 
@@ -32,6 +33,7 @@ struct CheckResult {
   std::string stage;      // "hiz", empty where no stage is concerned
   Size size;              // texels
   std::string case_name;  // "t_0.3m", empty for the only case
+  std::optional<TraceParameters> parameters;  // of the trace that is judged; none where none is
   Outcome outcome = Outcome::kError;
   std::string metric;           // "different_rays"
   std::optional<double> value;  // as measured, in `unit`; none when nothing could be measured

@@ -52,6 +52,9 @@ CheckResult evaluate(const Expectation& expectation, const Subject& subject) {
   result.stage = self.stage;
   result.size = self.size;
   result.case_name = self.case_name;
+  if (!self.stage.empty()) {
+    result.parameters = self.parameters;
+  }
   result.metric = row(expectation.metric).name;
   result.unit = row(expectation.metric).unit;
   result.value = measurement.value;

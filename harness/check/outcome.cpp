@@ -65,16 +65,10 @@ int exitCode(std::span<const Outcome> outcomes) {
 std::string closingLine(std::span<const Outcome> outcomes) {
   const std::size_t passed =
       count(outcomes, Outcome::kPass) + count(outcomes, Outcome::kWarn) + count(outcomes, Outcome::kXfail);
-  std::string line = fmt::format("{} passed, {} failed", passed, std::ranges::count_if(outcomes, isFailure));
-  const auto append = [&](Outcome outcome, std::string_view word) {
-    if (const std::size_t n = count(outcomes, outcome); n > 0) {
-      line += fmt::format(", {} {}", n, word);
-    }
-  };
-  append(Outcome::kSkip, "skipped");
-  append(Outcome::kInconclusive, "inconclusive");
-  append(Outcome::kFlake, "flaky");
-  return line;
+  const std::string line =
+      fmt::format("{} passed, {} failed", passed, std::ranges::count_if(outcomes, isFailure));
+  const std::size_t skipped = count(outcomes, Outcome::kSkip);
+  return skipped > 0 ? fmt::format("{}, {} skipped", line, skipped) : line;
 }
 
 }  // namespace ssrkit

@@ -43,8 +43,8 @@ inline constexpr int kExitUnsure = 4;  // nothing failed, but something was a fl
 // skips) has failed.
 [[nodiscard]] int exitCode(std::span<const Outcome> outcomes);
 
-// The last line of a run: "12 passed, 0 failed", then ", 1 skipped", ", 1 inconclusive" and ", 1 flaky" where
-// there are any. warn and xfail count as passed.
+// The last line of a run, which programs read: "12 passed, 0 failed", then ", 1 skipped" where there are any.
+// warn and xfail count as passed; flake and inconclusive are neither, and told elsewhere.
 [[nodiscard]] std::string closingLine(std::span<const Outcome> outcomes);
 
 }  // namespace ssrkit

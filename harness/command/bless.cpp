@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
 
 #include "base/text.h"
 #include "check/judge.h"
 #include "check/read_expectations.h"
 #include "command/bless_candidates.h"
+#include "command/bless_report.h"
 #include "command/git_state.h"
 #include "command/golden_shelf.h"
 #include "command/kit_paths.h"
@@ -94,13 +96,15 @@ Expected<TestFile> testWithGoldens(const BlessOptions& options, const KitPaths& 
 }
 
 // What fails by another truth is wrong, and no golden makes it right.
-Expected<void> requireProved(const TestFile& test, const SceneRun& run) {
+Expected<void> requireProved(const TestFile& test, const SceneRun& run, bool json) {
   for (const CheckResult& check : run.checks) {
     const auto own = std::ranges::find_if(test.expectations, [&](const Expectation& expectation) {
       return check.id == test.id + "." + expectation.name;
     });
     if (isFailure(check.outcome) && (own == test.expectations.end() || !isGolden(*own))) {
-      printCheck(check);
+      if (!json) {
+        printCheck(check);
+      }
       return inputError(kAttempted,
                         fmt::format("'{}' fails, so that what is drawn is wrong", fullName(check)), test.file,
                         "mend it first");
@@ -109,10 +113,10 @@ Expected<void> requireProved(const TestFile& test, const SceneRun& run) {
   return {};
 }
 
-Expected<std::size_t> blessScene(Suite& suite, const TestFile& test, const SceneSource& source,
-                                 const Blessing& blessing, const KitPaths& paths) {
+Expected<std::vector<BlessedGolden>> blessScene(Suite& suite, const TestFile& test, const SceneSource& source,
+                                                const Blessing& blessing, const KitPaths& paths, bool json) {
   const SceneRun run = suite.run(test, source);
-  if (auto proved = requireProved(test, run); !proved) {
+  if (auto proved = requireProved(test, run, json); !proved) {
     return tl::make_unexpected(proved.error());
   }
   const auto devices = suite.devices();
@@ -127,13 +131,19 @@ Expected<std::size_t> blessScene(Suite& suite, const TestFile& test, const Scene
   if (!candidates) {
     return tl::make_unexpected(candidates.error());
   }
+  std::vector<BlessedGolden> blessed;
   for (const Golden& golden : *candidates) {
-    fmt::print("{}\n", changeText(golden, shelf->goldens()));
+    blessed.push_back({.note = golden.note,
+                       .file = goldenFile(paths.goldens, golden.note).lexically_relative(paths.root),
+                       .change = changeText(golden, shelf->goldens())});
+    if (!json) {
+      fmt::print("{}\n", blessed.back().change);
+    }
     if (auto written = writeGolden(paths.goldens, golden); !written) {
       return tl::make_unexpected(written.error());
     }
   }
-  return candidates->size();
+  return blessed;
 }
 
 }  // namespace
@@ -161,18 +171,22 @@ Expected<int> blessCommand(const BlessOptions& options) {
   const Blessing blessing{.who = *who,
                           .when = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
                           .why = options.why};
-  std::size_t count = 0;
+  std::vector<BlessedGolden> all;
   for (const std::string& scene : test->scenes) {
     const auto source = Suite::source(scene, paths.scenes);
-    const auto blessed =
-        source ? blessScene(**suite, *test, *source, blessing, paths) : tl::make_unexpected(source.error());
+    auto blessed = source ? blessScene(**suite, *test, *source, blessing, paths, options.json)
+                          : tl::make_unexpected(source.error());
     progress.clear();
     if (!blessed) {
       return tl::make_unexpected(blessed.error());
     }
-    count += *blessed;
+    std::ranges::move(*blessed, std::back_inserter(all));
   }
-  fmt::print("{} goldens blessed by {}; look at the pictures, then commit {}\n", count, *who,
+  if (options.json) {
+    fmt::print("{}", blessJson(test->id, all));
+    return 0;
+  }
+  fmt::print("{} goldens blessed by {}; look at the pictures, then commit {}\n", all.size(), *who,
              (paths.goldens / test->id).lexically_relative(paths.root).string());
   return 0;
 }

@@ -13,7 +13,8 @@ struct BlessOptions {
   std::vector<std::string> scenes;   // of the test's; empty: all of them
   std::vector<std::string> devices;  // empty: the test's first, or gl-osmesa; its goldens may serve its kin
   std::string why;
-  std::string who;  // empty: git's identity
+  std::string who;    // empty: git's identity
+  bool json = false;  // on standard output instead of text
 };
 
 // Runs the test, shows what changes, and writes the goldens. Refused without a reason or a name, in CI, over

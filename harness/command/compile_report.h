@@ -10,6 +10,9 @@
 
 namespace ssrkit {
 
+// Of `compile --json` (docs/formats.md); raised when a reader of the older version would be misled.
+inline constexpr int kCompileSchemaVersion = 1;
+
 struct CompileResult {
   ShaderTarget target = ShaderTarget::kOpenGl;
   Expected<ShaderModule> module;

@@ -91,7 +91,10 @@ Json resultJson(const CompileResult& result) {
 }  // namespace
 
 std::string compileReportJson(const std::string& file, std::span<const CompileResult> results) {
-  Json json = {{"file", file}, {"targets", Json::array()}};
+  Json json = {{"schema", "ssrkit-compile"},
+               {"schema_version", kCompileSchemaVersion},
+               {"file", file},
+               {"targets", Json::array()}};
   std::ranges::transform(results, std::back_inserter(json["targets"]), resultJson);
   return jsonText(json, 2) + "\n";
 }

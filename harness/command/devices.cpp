@@ -4,6 +4,7 @@
 
 #include <future>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "base/json_text.h"
@@ -91,7 +92,11 @@ Expected<int> devicesCommand(const DevicesOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", jsonText(list, 2));
+    const nlohmann::ordered_json json = {{"schema", "ssrkit-devices"},
+                                         {"schema_version", kDevicesSchemaVersion},
+                                         {"kit_version", SSRKIT_VERSION},
+                                         {"devices", std::move(list)}};
+    fmt::print("{}\n", jsonText(json, 2));
   }
   return all_present || options.devices.empty() ? 0 : 3;
 }

@@ -42,6 +42,7 @@ void addTest(CLI::App& app, TestOptions& options, Command& command) {
   test->add_option("--device", options.devices, "Devices of the expectation files that name none");
   test->add_option("--out", options.out, "The folder for results.json")->capture_default_str();
   test->add_flag("--list", options.list, "Print the names instead of running");
+  test->add_flag("--json", options.json, "Print results.json instead of the text");
   test->callback([&] { command = [&] { return testCommand(options); }; });
 }
 
@@ -66,6 +67,7 @@ void addBless(CLI::App& app, BlessOptions& options, Command& command) {
   bless->add_option("--device", options.devices, "A device of `ssrkit devices` (default: the test's first)");
   bless->add_option("--why", options.why, "Why what is drawn now is right")->required();
   bless->add_option("--who", options.who, "Who says so (default: git's identity)");
+  bless->add_flag("--json", options.json, "Print what was blessed as JSON instead of the text");
   bless->callback([&] { command = [&] { return blessCommand(options); }; });
 }
 

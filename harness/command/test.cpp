@@ -16,9 +16,11 @@
 #include "command/known_names.h"
 #include "command/print_checks.h"
 #include "command/progress_line.h"
+#include "command/run_rows.h"
 #include "command/suite.h"
 #include "command/unit_tests.h"
 #include "report/report_files.h"
+#include "report/results_json.h"
 #include "scene/find_scene.h"
 
 namespace ssrkit {
@@ -96,6 +98,16 @@ std::vector<std::string> namedDevices(const std::vector<TestFile>& files) {
   return devices;
 }
 
+// What each trace cost, and the passes of its frame.
+void addTraces(const SceneRun& run, RunReport& report) {
+  std::ranges::move(runRows(run), std::back_inserter(report.rows));
+  for (const CellRun& cell : run.cells) {
+    if (cell.result) {
+      report.frames.push_back({run.source->name, cell.device, cell.size, cell.result->frame_passes});
+    }
+  }
+}
+
 Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, const KitPaths& paths,
                                                    const std::vector<TestFile>& files, RunReport& report) {
   ProgressLine progress;
@@ -135,12 +147,18 @@ Expected<std::vector<CheckResult>> runExpectations(const TestOptions& options, c
       const auto start = std::chrono::steady_clock::now();
       const SceneRun run = (*suite)->run(test, *source);
       progress.clear();
-      printScene(test, run, std::chrono::steady_clock::now() - start);
+      if (!options.json) {
+        printScene(test, run, std::chrono::steady_clock::now() - start);
+      }
+      addTraces(run, report);
       checks.insert(checks.end(), run.checks.begin(), run.checks.end());
       const CheckResult none{
           .id = test.id, .scene = scene, .outcome = Outcome::kFail, .message = "no check was made"};
       if (run.checks.empty()) {
-        printCheck(checks.emplace_back(none));
+        checks.push_back(none);
+        if (!options.json) {
+          printCheck(none);
+        }
       }
     }
   }
@@ -169,21 +187,17 @@ Expected<int> testCommand(const TestOptions& options) {
     const auto listed = wants_unit ? listUnitTests(paths.build, options.filter) : Expected<void>{};
     return listed ? Expected<int>(0) : tl::make_unexpected(listed.error());
   }
-  UnitTestCounts unit;
+  RunReport report{.kit_version = SSRKIT_VERSION,
+                   .started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+                   .command = options.command};
   if (wants_unit) {
-    const auto counts = runUnitTests(paths.build, options.filter);
+    const auto counts = runUnitTests(paths.build, options.filter,
+                                     options.json ? UnitTestOutput::kToFile : UnitTestOutput::kShown);
     if (!counts) {
       return tl::make_unexpected(counts.error());
     }
-    unit = *counts;
+    report.unit_tests = *counts;
   }
-  RunReport report{.kit_version = SSRKIT_VERSION,
-                   .started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
-                   .command = options.command,
-                   .devices = {},
-                   .checks = {},
-                   .rows = {},
-                   .frames = {}};
   if (!files->empty()) {
     auto checks = runExpectations(options, paths, *files, report);
     if (!checks) {
@@ -194,25 +208,23 @@ Expected<int> testCommand(const TestOptions& options) {
       return tl::make_unexpected(written.error());
     }
   }
-  std::vector<Outcome> outcomes(unit.passed, Outcome::kPass);
-  outcomes.insert(outcomes.end(), unit.failed, Outcome::kFail);
-  outcomes.insert(outcomes.end(), unit.skipped, Outcome::kSkip);
-  for (const CheckResult& check : report.checks) {
-    outcomes.push_back(check.outcome);
-  }
+  const std::vector<Outcome> outcomes = outcomesOf(report);
   if (outcomes.empty()) {
     return inputError("run the tests",
                       fmt::format("no test {}matches '{}'",
                                   options.tags.empty() ? "" : "of the tags that were given ", options.filter),
                       "--filter", "./ssrkit test --list shows their names");
   }
-  const int code = exitCode(outcomes);
+  if (options.json) {
+    fmt::print("{}", resultsJson(report));
+    return exitCode(outcomes);
+  }
   // On a line of its own: the closing line is read by programs.
-  if (const auto noisy = std::erase(outcomes, Outcome::kInconclusive); noisy > 0) {
+  if (const auto noisy = std::ranges::count(outcomes, Outcome::kInconclusive); noisy > 0) {
     fmt::print("\n{} inconclusive: too noisy to judge on this machine\n", noisy);
   }
   fmt::print("\n{}\n", closingLine(outcomes));
-  return code;
+  return exitCode(outcomes);
 }
 
 }  // namespace ssrkit

@@ -16,6 +16,7 @@ struct TestOptions {
   std::vector<std::string> devices{"gl-osmesa", "vk-lavapipe"};
   std::filesystem::path out = "out/test";  // results.json
   bool list = false;                       // names instead of runs
+  bool json = false;                       // results.json on standard output instead of text
   std::vector<std::string> command;        // argv, for the report
 };
 

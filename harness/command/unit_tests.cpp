@@ -31,11 +31,14 @@ std::string regexOf(const std::string& filter) {
   return regex + "$";
 }
 
-Expected<int> runCtest(const std::filesystem::path& build, const std::vector<std::string>& options) {
+Expected<int> runCtest(const std::filesystem::path& build, const std::vector<std::string>& options,
+                       const std::filesystem::path& output) {
   std::vector<std::string> arguments = {"ctest", "--test-dir", build.string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  return runChild(
-      {.arguments = arguments, .limit = kNoLimit, .remedy = "install the package cmake, which has it"});
+  return runChild({.arguments = arguments,
+                   .output = output,
+                   .limit = kNoLimit,
+                   .remedy = "install the package cmake, which has it"});
 }
 
 // A number from the attributes of <testsuite ...>, which stand on lines of their own.
@@ -57,13 +60,16 @@ Expected<std::size_t> attribute(const std::string& junit, const std::string& nam
 
 }  // namespace
 
-Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const std::string& filter) {
+Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const std::string& filter,
+                                      UnitTestOutput output) {
   const std::filesystem::path junit_file = build / "unit-tests.xml";
   std::error_code ignored;
   std::filesystem::remove(junit_file, ignored);
   const auto code = runCtest(
-      build, {"--output-on-failure", "--progress", "-j", std::to_string(std::thread::hardware_concurrency()),
-              "-R", regexOf(filter), "--output-junit", junit_file.string()});
+      build,
+      {"--output-on-failure", "--progress", "-j", std::to_string(std::thread::hardware_concurrency()), "-R",
+       regexOf(filter), "--output-junit", junit_file.string()},
+      output == UnitTestOutput::kToFile ? build / "unit-tests.log" : std::filesystem::path());
   if (!code) {
     return tl::make_unexpected(code.error());
   }
@@ -89,7 +95,7 @@ Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const 
 }
 
 Expected<void> listUnitTests(const std::filesystem::path& build, const std::string& filter) {
-  const auto code = runCtest(build, {"-N", "-R", regexOf(filter)});
+  const auto code = runCtest(build, {"-N", "-R", regexOf(filter)}, {});
   return code ? Expected<void>{} : tl::make_unexpected(code.error());
 }
 

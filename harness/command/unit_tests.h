@@ -5,19 +5,19 @@
 #include <string>
 
 #include "base/error.h"
+#include "report/run_report.h"
 
 namespace ssrkit {
 
-struct UnitTestCounts {
-  std::size_t passed = 0;
-  std::size_t failed = 0;
-  std::size_t skipped = 0;
+enum class UnitTestOutput {
+  kShown,   // where this process prints
+  kToFile,  // unit-tests.log in the build folder
 };
 
-// Runs those whose name matches the filter (* stands for any text), on all cores, and shows the output of
+// Runs those whose name matches the filter (* stands for any text), on all cores, with the output of
 // failures.
 [[nodiscard]] Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build,
-                                                    const std::string& filter);
+                                                    const std::string& filter, UnitTestOutput output);
 
 // Prints their names.
 [[nodiscard]] Expected<void> listUnitTests(const std::filesystem::path& build, const std::string& filter);

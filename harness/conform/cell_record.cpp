@@ -18,7 +18,7 @@ namespace ssrkit {
 namespace {
 
 constexpr const char* kSchema = "ssrkit-cell";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 constexpr int kHexadecimal = 16;
 
@@ -58,6 +58,31 @@ std::optional<FindingMap> mapOf(const JsonFields& fields) {
   return read;
 }
 
+Json parametersJson(const std::optional<TraceParameters>& parameters) {
+  if (!parameters) {
+    return nullptr;
+  }
+  Json json = Json::object();
+  for (const std::string& parameter : parameterNames()) {
+    json[parameter] = parameterText(*parameters, parameter);
+  }
+  return json;
+}
+
+std::optional<TraceParameters> parametersOf(const JsonFields& fields) {
+  if (fields.json("parameters").is_null()) {
+    return std::nullopt;
+  }
+  const JsonFields texts = fields.object("parameters");
+  TraceParameters parameters;
+  for (const std::string& parameter : parameterNames()) {
+    if (const auto set = setParameter(parameters, parameter, texts.text(parameter.c_str()), ""); !set) {
+      throw JsonFields::BadField(set.error().problem);
+    }
+  }
+  return parameters;
+}
+
 Json checkJson(const CheckResult& check) {
   Json histogram = Json::array();
   for (const HistogramBin& bin : check.histogram) {
@@ -73,6 +98,7 @@ Json checkJson(const CheckResult& check) {
           {"stage", check.stage},
           {"size", sizeOf(check.size)},
           {"case", check.case_name},
+          {"parameters", parametersJson(check.parameters)},
           {"outcome", name(check.outcome)},
           {"metric", check.metric},
           {"value", numberOf(check.value)},
@@ -96,6 +122,7 @@ CheckResult checkOf(const JsonFields& fields) {
   check.stage = fields.text("stage");
   check.size = fields.size("size");
   check.case_name = fields.text("case");
+  check.parameters = parametersOf(fields);
   check.outcome = fields.outcome("outcome");
   check.metric = fields.text("metric");
   check.value = fields.number("value");

@@ -1,13 +1,11 @@
 #include "report/results_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "base/atomic_file.h"
 #include "base/json_text.h"
-#include "base/text.h"
 #include "check/outcome.h"
 #include "report/json_parts.h"
 #include "report/ledger_json.h"
@@ -16,25 +14,14 @@ namespace ssrkit {
 
 namespace {
 
-// The parameters are those of the trace that the check looked at; null where it looked at none.
-Json checkParametersOf(const CheckResult& check, const RunReport& report) {
-  for (const RunRow& row : report.rows) {
-    if (row.scene == check.scene && row.device == check.device && row.stage == check.stage &&
-        row.size == check.size && row.case_name == check.case_name) {
-      return parametersOf(row.parameters);
-    }
-  }
-  return nullptr;
-}
-
-Json checkOf(const CheckResult& check, const RunReport& report) {
+Json checkOf(const CheckResult& check) {
   return {{"id", check.id},
           {"scene", check.scene},
           {"device", check.device},
           {"stage", check.stage},
           {"size", sizeOf(check.size)},
           {"case", check.case_name},
-          {"parameters", checkParametersOf(check, report)},
+          {"parameters", check.parameters ? parametersOf(*check.parameters) : Json(nullptr)},
           {"outcome", name(check.outcome)},
           {"metric", check.metric},
           {"value", numberOf(check.value)},
@@ -118,16 +105,20 @@ Json traceOf(const RunRow& row) {
   return json;
 }
 
-Json summaryOf(const std::vector<CheckResult>& checks) {
-  std::vector<Outcome> outcomes;
+Json summaryOf(const RunReport& report) {
   Json counts = Json::object();
-  for (const CheckResult& check : checks) {
-    outcomes.push_back(check.outcome);
+  for (const CheckResult& check : report.checks) {
     Json& count = counts[name(check.outcome)];
     count = count.is_null() ? 1 : count.get<int>() + 1;
   }
+  const std::vector<Outcome> outcomes = outcomesOf(report);
   return {
       {"outcomes", std::move(counts)}, {"line", closingLine(outcomes)}, {"exit_code", exitCode(outcomes)}};
+}
+
+Json unitTestsOf(const std::optional<UnitTestCounts>& counts) {
+  return counts ? Json{{"passed", counts->passed}, {"failed", counts->failed}, {"skipped", counts->skipped}}
+                : Json(nullptr);
 }
 
 }  // namespace
@@ -146,20 +137,20 @@ std::string resultsJson(const RunReport& report) {
             {"time_s", row.time_s},
             {"attempts", row.attempts}};
   };
-  const Json json = {
-      {"schema", "ssrkit-results"},
-      {"schema_version", kResultsSchemaVersion},
-      {"kit_version", report.kit_version},
-      {"started", report.started},
-      {"command", report.command},
-      {"summary", summaryOf(report.checks)},
-      {"devices", listOf(report.devices, deviceOf)},
-      {"checks", listOf(report.checks, [&](const CheckResult& check) { return checkOf(check, report); })},
-      {"traces", listOf(report.rows, traceOf)},
-      {"frames", listOf(report.frames, frameOf)},
-      {"geometry", listOf(report.geometries, geometryOf)},
-      {"ledger", ledgerJson(report.ledger)},
-      {"cells", listOf(report.cells, cellOf)}};
+  const Json json = {{"schema", "ssrkit-results"},
+                     {"schema_version", kResultsSchemaVersion},
+                     {"kit_version", report.kit_version},
+                     {"started", report.started},
+                     {"command", report.command},
+                     {"summary", summaryOf(report)},
+                     {"devices", listOf(report.devices, deviceOf)},
+                     {"checks", listOf(report.checks, checkOf)},
+                     {"traces", listOf(report.rows, traceOf)},
+                     {"frames", listOf(report.frames, frameOf)},
+                     {"geometry", listOf(report.geometries, geometryOf)},
+                     {"ledger", ledgerJson(report.ledger)},
+                     {"cells", listOf(report.cells, cellOf)},
+                     {"unit_tests", unitTestsOf(report.unit_tests)}};
   return jsonText(json, 1) + "\n";
 }
 

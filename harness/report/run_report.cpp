@@ -1,6 +1,7 @@
 #include "report/run_report.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "base/check.h"
@@ -90,6 +91,15 @@ std::optional<double> sameFraction(const VerdictCounts& verdicts) {
   }
   return static_cast<double>(verdicts.at(static_cast<std::size_t>(Verdict::kSame))) /
          static_cast<double>(compared);
+}
+
+std::vector<Outcome> outcomesOf(const RunReport& report) {
+  const UnitTestCounts unit = report.unit_tests.value_or(UnitTestCounts{});
+  std::vector<Outcome> outcomes(unit.passed, Outcome::kPass);
+  outcomes.insert(outcomes.end(), unit.failed, Outcome::kFail);
+  outcomes.insert(outcomes.end(), unit.skipped, Outcome::kSkip);
+  std::ranges::transform(report.checks, std::back_inserter(outcomes), &CheckResult::outcome);
+  return outcomes;
 }
 
 }  // namespace ssrkit

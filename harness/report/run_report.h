@@ -99,6 +99,13 @@ struct CellRow {
   int attempts = 1;
 };
 
+// Of `test`: one for each test that CTest knows.
+struct UnitTestCounts {
+  std::size_t passed = 0;
+  std::size_t failed = 0;
+  std::size_t skipped = 0;
+};
+
 struct RunReport {
   std::string kit_version;
   std::string started;               // UTC, ISO 8601: "2026-01-31T12:00:00Z"
@@ -110,7 +117,11 @@ struct RunReport {
   std::vector<GeometryRow> geometries;
   Ledger ledger;               // empty where fewer than two devices answered, or nobody asked
   std::vector<CellRow> cells;  // of `conform`
+  std::optional<UnitTestCounts> unit_tests;
 };
+
+// Of all checks and unit tests: what the closing line and the exit code are made from.
+[[nodiscard]] std::vector<Outcome> outcomesOf(const RunReport& report);
 
 // What the technique itself costs: the medians over the rounds (or the cold time, without rounds) of the pass
 // that traces and of those that build its pyramid, summed. None when no such pass was timed.

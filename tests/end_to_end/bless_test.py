@@ -1,5 +1,6 @@
 """bless: goldens are made by hand alone, and a buffer that drifts from its golden fails."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -91,6 +92,16 @@ class Goldens(BlessTest):
                           "small.hit": "missing"}, outcomes)
         self.assertIn("./ssrkit bless small --scene m2 --device gl-osmesa --why", result.out)
         self.assertEqual([], self.goldens())
+
+    def test_json_names_what_was_blessed(self):
+        result = self.bless("--json")
+        self.assert_exit(0, result)
+        report = json.loads(result.out)
+        self.assertEqual(("ssrkit-bless", 1, "small"), (report["schema"], report["schema_version"], report["test"]))
+        self.assertEqual(["lit", "composite", "hit"], [golden["buffer"] for golden in report["goldens"]])
+        for golden in report["goldens"]:
+            self.assertEqual(("m2", [32, 18], "A Tester"), (golden["scene"], golden["size"], golden["who"]))
+            self.assertTrue(os.path.isfile(self.path("kit", golden["file"])), golden)
 
     def test_blessed_ones_pass_until_something_drifts(self):
         result = self.bless()

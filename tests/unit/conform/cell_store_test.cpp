@@ -19,6 +19,7 @@ CheckResult fullCheck() {
   check.min = -std::numeric_limits<double>::infinity();
   check.interval = {1.0 / 3.0, std::numeric_limits<double>::infinity()};
   check.compared = 12345678901;
+  check.parameters = TraceParameters{.thickness_m = 0.1, .max_mip = -1, .form = TracerForm::kTextbook};
   check.remark = "two\nlines, \"quoted\"";
   check.histogram = {{"HIT", 3}, {"OFFSCREEN", 0}};
   check.message = "fail: \xC3\xA9";
@@ -45,6 +46,7 @@ TEST(CellRecord, SurvivesItsJsonWithEveryBit) {
   EXPECT_EQ("OFFSCREEN", check.histogram.at(1).label);
   EXPECT_EQ((Size{64, 36}), check.size);
   EXPECT_EQ("t_0.3m", check.case_name);
+  EXPECT_EQ(fullCheck().parameters, check.parameters);
   ASSERT_TRUE(check.finding_map.has_value());
   EXPECT_EQ((Size{3, 2}), check.finding_map->size);
   EXPECT_EQ((std::vector<std::uint8_t>{0, 255, 10, 9, 16, 171}), check.finding_map->dots);
@@ -93,7 +95,7 @@ TEST(CellRecord, ANotANumberStaysOne) {
 TEST(CellRecord, AnythingElseIsRefusedWithItsFile) {
   const std::string good = toJson(madeRecord("t/m1/64x36/gl-a", Outcome::kPass));
   std::string other_version = good;
-  other_version.replace(other_version.find("\"schema_version\": 2"), 19, "\"schema_version\": 9");
+  other_version.replace(other_version.find("\"schema_version\": 3"), 19, "\"schema_version\": 9");
   std::string bad_outcome = good;
   bad_outcome.replace(bad_outcome.rfind("\"pass\""), 6, "\"fine\"");
   for (const std::string& text :

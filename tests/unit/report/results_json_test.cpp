@@ -38,6 +38,7 @@ RunReport smallReport() {
   check.unit = "rays";
   check.message = "first bad byte: \xff\n";
   check.repro = "ssrkit run --scene clutter";
+  check.parameters = TraceParameters{.lookup_budget = 500, .jitter = 0.5};
   report.checks = {check};
   RunRow row;
   row.scene = "clutter";
@@ -142,12 +143,25 @@ TEST(ResultsJson, WritesNullForATraceThatNeverCameBack) {
   RunReport report = smallReport();
   report.rows[0].summary.reset();
   report.rows[0].true_classes.reset();
-  report.checks[0].stage = "";
+  report.checks[0].parameters.reset();
   const auto json = nlohmann::json::parse(resultsJson(report));
   EXPECT_TRUE(json.at("traces")[0].at("lookups").is_null());
   EXPECT_TRUE(json.at("traces")[0].at("true_classes").is_null());
   EXPECT_TRUE(json.at("traces")[0].at("verdicts").is_null());
   EXPECT_TRUE(json.at("checks")[0].at("parameters").is_null());
+}
+
+TEST(ResultsJson, ItsLineIsTheOneThatIsPrinted) {
+  RunReport report = smallReport();
+  for (const Outcome outcome : {Outcome::kFlake, Outcome::kInconclusive, Outcome::kSkip}) {
+    report.checks.push_back(report.checks[0]);
+    report.checks.back().outcome = outcome;
+  }
+  report.unit_tests = {.passed = 12, .failed = 2, .skipped = 1};
+  const auto json = nlohmann::json::parse(resultsJson(report));
+  EXPECT_EQ(json.at("summary").at("line"), "12 passed, 3 failed, 2 skipped");
+  EXPECT_EQ(json.at("unit_tests").at("passed"), 12);
+  EXPECT_TRUE(nlohmann::json::parse(resultsJson(smallReport())).at("unit_tests").is_null());
 }
 
 TEST(WriteResultsJson, WritesTheSameText) {
