@@ -199,12 +199,12 @@ Expected<int> conformCommand(const ConformOptions& options) {
                        .is_whole = isWhole(options),
                        .command = options.command,
                        .out = options.out,
-                       .json = options.json};
+                       .json = options.json,
+                       .failure = run.required_absent};
   for (const Cell& cell : plan->own) {
     report.records.push_back(std::move(run.records.at(cellId(cell))));
   }
-  const auto code = finishConform(std::move(report));
-  return code && run.required_absent ? tl::make_unexpected(*run.required_absent) : code;
+  return finishConform(std::move(report));
 }
 
 }  // namespace ssrkit

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <iterator>
 
 #include "check/read_baseline.h"
@@ -99,6 +100,14 @@ void printAbsent(const Manifest& manifest) {
   }
 }
 
+// Before the closing line, also where both streams go to the same place.
+void printFailure(const ConformReport& conform) {
+  if (conform.failure) {
+    std::fflush(stdout);
+    fmt::print(stderr, "ssrkit: {}\n", sentence(*conform.failure));
+  }
+}
+
 }  // namespace
 
 Expected<std::vector<KnownFailure>> readKnownFailures(const std::filesystem::path& file,
@@ -112,11 +121,11 @@ Expected<int> finishConform(ConformReport conform) {
   if (const auto written = writeReportFiles(conform.out, report); !written) {
     return tl::make_unexpected(written.error());
   }
-  std::vector<Outcome> outcomes;
-  std::ranges::transform(report.checks, std::back_inserter(outcomes), &CheckResult::outcome);
-  const int code = exitCode(outcomes);
+  const std::vector<Outcome> outcomes = outcomesOf(report);
+  const int code = conform.failure ? exitCode(*conform.failure) : exitCode(outcomes);
   if (conform.json) {
     fmt::print("{}", resultsJson(report));
+    printFailure(conform);
     return code;
   }
   fmt::print("{}", outcomeTable(conform.records, wantsColour(STDOUT_FILENO)));
@@ -135,10 +144,7 @@ Expected<int> finishConform(ConformReport conform) {
   if (unsure > 0) {
     fmt::print("{} flaky or inconclusive\n", unsure);
   }
-  // The closing line is read by programs: passed, failed and skipped alone.
-  std::erase_if(outcomes, [](Outcome outcome) {
-    return outcome == Outcome::kFlake || outcome == Outcome::kInconclusive;
-  });
+  printFailure(conform);
   fmt::print("{}\n", closingLine(outcomes));
   return code;
 }

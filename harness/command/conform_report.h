@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ConformReport {
   std::vector<std::string> command;
   std::filesystem::path out;
   bool json = false;
+  std::optional<Error> failure;  // of the set-up, although cells were run: told before the closing line
 };
 
 // The list that `file` holds, or the kit's own where it is empty.
@@ -29,7 +31,8 @@ struct ConformReport {
                                                                     const KitPaths& paths);
 
 // Judges the checks again by what is known to fail, writes results.json and the other files of a run, prints
-// the table, the failures and the closing line, or the JSON. Gives the exit code.
+// the table, the failures and the closing line, or the JSON. Gives the exit code: the failure's where there
+// is one.
 [[nodiscard]] Expected<int> finishConform(ConformReport report);
 
 }  // namespace ssrkit

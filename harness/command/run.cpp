@@ -66,11 +66,7 @@ void printFailures(const std::vector<CheckResult>& checks) {
 
 // 2 or 3 when a scene could not be run at all, for the reason that the first one gives.
 int exitCodeOf(const RunReport& report, const std::optional<Error>& first_error) {
-  std::vector<Outcome> outcomes;
-  for (const CheckResult& check : report.checks) {
-    outcomes.push_back(check.outcome);
-  }
-  return first_error ? exitCode(*first_error) : exitCode(outcomes);
+  return first_error ? exitCode(*first_error) : exitCode(outcomesOf(report));
 }
 
 void print(const RunReport& report, const RunOptions& options) {
@@ -89,11 +85,7 @@ void print(const RunReport& report, const RunOptions& options) {
                is_one_scene ? "\n" + trueClassTable(report.rows) : std::string());
   }
   printFailures(report.checks);
-  std::vector<Outcome> outcomes;
-  for (const CheckResult& check : report.checks) {
-    outcomes.push_back(check.outcome);
-  }
-  fmt::print("\nwritten to {}\n{}\n", options.out.string(), closingLine(outcomes));
+  fmt::print("\nwritten to {}\n", options.out.string());
 }
 
 // What a run has found out so far.
@@ -167,6 +159,9 @@ int finish(const Findings& findings, const RunOptions& options) {
   std::fflush(stdout);
   for (const std::string& error : findings.errors) {
     fmt::print(stderr, "ssrkit: {}\n", error);
+  }
+  if (!options.json) {
+    fmt::print("{}\n", closingLine(outcomesOf(findings.report)));
   }
   return exitCodeOf(findings.report, findings.first_error);
 }

@@ -90,7 +90,7 @@ class AbsentDrivers(ConformTest):
 
     DRIVER = "vk_swiftshader_icd.json"
 
-    def without_driver(self, *arguments, out="out"):
+    def without_driver(self, *arguments, out="out", before=(), stderr=subprocess.PIPE):
         found = glob.glob(f"/usr/lib/chromium/{self.DRIVER}")
         if not found:
             self.skipTest(f"there is no {self.DRIVER} to take away")
@@ -100,10 +100,11 @@ class AbsentDrivers(ConformTest):
         inside = ["unshare", "--mount", "sh", "-c", script]
         if not shutil.which("unshare") or subprocess.run([*inside, "true"], capture_output=True).returncode != 0:
             self.skipTest("no file system of one's own can be had here")
-        line = [*inside, kit.PROGRAM, "conform", "--device", "gl-osmesa", "--filter", CELL, "--jobs", "1", "--out", out]
+        line = [*inside, *before, kit.PROGRAM, "conform", "--device", "gl-osmesa", "--filter", CELL, "--jobs", "1",
+                "--out", out]
         done = subprocess.run([*line, *arguments], cwd=self.folder, env=kit.environment(), stdin=subprocess.DEVNULL,
-                              capture_output=True, timeout=kit.PATIENCE_S)
-        return kit.Result(done.returncode, done.stdout.decode(), done.stderr.decode())
+                              stdout=subprocess.PIPE, stderr=stderr, timeout=kit.PATIENCE_S)
+        return kit.Result(done.returncode, done.stdout.decode(), (done.stderr or b"").decode())
 
     def test_one_that_must_be_there_fails_and_the_others_go_on(self):
         result = self.without_driver("--device", "vk-swiftshader")
@@ -113,6 +114,10 @@ class AbsentDrivers(ConformTest):
         self.assertIn(" 1 failed", result.out.splitlines()[-1])
         self.assert_exit(1, self.ssrkit("conform", "merge", "out", "--out", "merged"))
         self.assertEqual(self.outcomes(), self.outcomes("merged"))
+        # As a terminal shows it: each line when it is printed.
+        both = self.without_driver("--device", "vk-swiftshader", before=("stdbuf", "-oL"), stderr=subprocess.STDOUT)
+        self.assertIn("ssrkit: could not use the device", both.out)
+        self.assert_closing_line(both)
         # Where it is there again, what was not run is.
         self.assert_exit(0, self.conform("--device", "gl-osmesa", "--device", "vk-swiftshader", "--filter", CELL,
                                          "--resume"))
