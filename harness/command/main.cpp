@@ -1,14 +1,17 @@
 // The command line: options to plain structs, errors to sentences and exit codes.
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <functional>
 
+#include "base/system_error.h"
 #include "base/text.h"
 #include "command/bench_options.h"
 #include "command/bless.h"
@@ -196,6 +199,26 @@ int commandLine(int argc, char** argv) {
   return *code;
 }
 
+// A pipe whose reader has had enough (`| head`) is no failure.
+bool hasNoReader(int fd) {
+  pollfd watched{fd, POLLOUT, 0};
+  return ::poll(&watched, 1, 0) == 1 && (watched.revents & POLLERR) != 0;
+}
+
+// `code`, unless some of what was printed went nowhere.
+int codeOfOutput(int code) {
+  errno = 0;
+  const bool is_whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_whole || hasNoReader(STDOUT_FILENO)) {
+    return code;
+  }
+  const auto error = setupError("write to standard output",
+                                errno != 0 ? errnoInWords(errno) : "some of it could not be written", {},
+                                "free some disk space or write to another place");
+  fmt::print(stderr, "ssrkit: {}\n", sentence(error.value()));
+  return exitCode(error.value());
+}
+
 }  // namespace
 
 }  // namespace ssrkit
@@ -205,7 +228,7 @@ int main(int argc, char** argv) try {
     return ssrkit::workerMain(argv[2], ssrkit::kWorkerSocket);
   }
   ssrkit::endCleanlyOnSignals();
-  return ssrkit::commandLine(argc, argv);
+  return ssrkit::codeOfOutput(ssrkit::commandLine(argc, argv));
 } catch (const std::exception& exception) {
   // Out of memory, out of threads: what no caller can mend.
   std::fprintf(stderr, "ssrkit: could not go on: %s\n", exception.what());
