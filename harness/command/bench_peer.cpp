@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
@@ -115,6 +118,12 @@ Expected<void> readImages(const PeerFile& file, PeerShader& peer) {
   return fields.result();
 }
 
+tl::unexpected<Error> wrongValue(const PeerFile& file, const TomlEntry& entry, const std::string& problem,
+                                 const std::string& remedy) {
+  return inputError(file.attempted, fmt::format("'{}' is {}", entry.key, problem),
+                    placeText(file.name, entry.value.place), remedy);
+}
+
 Expected<void> readValues(const PeerFile& file, PeerShader& peer) {
   for (const TomlEntry& entry : file.section("values").entries) {
     switch (entry.value.kind) {
@@ -122,14 +131,17 @@ Expected<void> readValues(const PeerFile& file, PeerShader& peer) {
         peer.values.emplace(entry.key, entry.value.text);
         break;
       case TomlValue::Kind::kInteger:
+        if (!std::in_range<int>(entry.value.integer)) {
+          return wrongValue(file, entry, std::to_string(entry.value.integer),
+                            "whole numbers go from -2147483648 to 2147483647");
+        }
         peer.constants.emplace(entry.key, static_cast<int>(entry.value.integer));
         break;
       case TomlValue::Kind::kFloat:
         peer.constants.emplace(entry.key, entry.value.number);
         break;
       default:
-        return inputError(file.attempted, fmt::format("'{}' is {}", entry.key, name(entry.value.kind)),
-                          placeText(file.name, entry.value.place),
+        return wrongValue(file, entry, name(entry.value.kind),
                           "write the name of one of the kit's values, or a number");
     }
   }

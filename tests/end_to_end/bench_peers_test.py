@@ -76,6 +76,7 @@ class BadPeers(PeerTest):
                               (('hit = "w"', ""), ("hit",)),
                               (('name = "texel_march"', 'name = "hiz"'), ("kit's own stages",)),
                               (('reach = "max_distance_m"', "reach = true"), ("reach", "a number")),
+                              (('reach = "max_distance_m"', "reach = 4294967296"), (".toml:", "'reach'", "2147483647")),
                               (("[peer]", "[peer"), ("texel_march.toml:1",))):
             with self.subTest(change):
                 self.assert_refused(self.bench("--peer", self.peer("texel_march", *change)), *words)
