@@ -28,14 +28,17 @@ tl::unexpected<Error> writeError(const fs::path& path, int code) {
 }
 
 // ".STEM.PID-COUNTER.tmp.EXT": hidden from listings, and the extension still tells a writer its format.
-// The stem is cut so that any name the file system takes has a temporary name it takes too.
+// The stem is cut so that any name the file system takes has a temporary name it takes too. An extension that
+// leaves no room for that is none that a writer knows, and is left out.
 fs::path temporaryName(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
-  const std::string suffix =
-      fmt::format(".{}-{}.tmp{}", getpid(), counter.fetch_add(1), path.extension().string());
+  std::string suffix = fmt::format(".{}-{}.tmp", getpid(), counter.fetch_add(1));
+  if (const std::string extension = path.extension().string();
+      1 + suffix.size() + extension.size() <= NAME_MAX) {
+    suffix += extension;
+  }
   std::string stem = path.stem().string();
-  const std::size_t room = suffix.size() + 1 < NAME_MAX ? NAME_MAX - suffix.size() - 1 : 0;
-  stem.resize(std::min(stem.size(), room));
+  stem.resize(std::min(stem.size(), NAME_MAX - 1 - suffix.size()));
   return path.parent_path() / ("." + stem + suffix);
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMostColumns = 160;
 constexpr int kMostRows = 90;
 
-// 1 for the least severe finding to 255 for the worst; equal severities are equally bright.
+// Above 64 for the least severe finding, 255 for the worst; equal severities are equally bright.
 std::uint8_t brightness(double severity, const std::vector<double>& sorted) {
   const auto upper = std::ranges::upper_bound(sorted, severity);
   const double rank = static_cast<double>(upper - sorted.begin()) / static_cast<double>(sorted.size());

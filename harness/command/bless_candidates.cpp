@@ -88,7 +88,7 @@ std::string parametersHash(const Answer& answer) {
   return hashName(all);
 }
 
-// What the run's checks measured of this answer, and of the frame that it was made from.
+// What the run's checks measured of this answer.
 std::map<std::string, std::string> metricsOf(const SceneRun& run, const Answer& answer) {
   std::map<std::string, std::string> metrics;
   for (const CheckResult& check : run.checks) {

@@ -12,10 +12,11 @@ namespace ssrkit {
 class Fault {
  public:
   // No fault when the variable is not set; fails on one of another form than
-  // KIND:TEXT[;after=OTHER][;once=FILE], where KIND is crash, hang, spin or wrong.
+  // KIND:TEXT[;after=OTHER][;once=FILE], where KIND is crash, hang, spin, wrong or barrier.
   [[nodiscard]] static Expected<Fault> fromEnvironment();
 
-  // Does not return when `place` contains TEXT, unless the kind is `wrong`.
+  // Of the kinds crash, hang and spin: does not return when `place` contains TEXT. The others do nothing
+  // here: `wrong` asks spoils(), `barrier` is the Vulkan devices' own.
   void strikeAt(std::string_view place);
 
   // Whether the answer that was made at `place` is to be spoilt: the kind `wrong` alone.
