@@ -1,7 +1,8 @@
 // How public implementations put a reflection into the lit image, and what each does to the energy of a uniformly lit
 // scene (a white furnace of radiance L, which should come out as L; docs/techniques.md has the table).
 //
-// In: linear radiance. Undefined nowhere; a miss has alpha or visibility 0 and leaves the lit image as it is.
+// In: linear radiance. Undefined nowhere; a miss has alpha or visibility 0 and leaves the lit image as it is, except
+// in composite_mirror, which is given what arrives then instead: the sky.
 #ifndef COMPOSITE_FORMS_GLSL
 #define COMPOSITE_FORMS_GLSL
 

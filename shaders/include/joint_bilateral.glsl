@@ -13,7 +13,8 @@
 
 const float NO_RAY_M = 1e15;  // its square is finite
 
-// How far 1 / dist_view may be from the mean, in pixels' widths at 1 m: rounding, and the curve of a sphere.
+// How far the texel may be from the plane, along the viewing direction and in pixels' widths at its own distance:
+// rounding, and the curve of a sphere. px_m_per_m is a pixel's width at 1 m.
 const float ONE_PLANE_PX = 0.05;
 
 vec2 same_surface_weights(float dist, float dist_a, float dist_b, float px_m_per_m) {

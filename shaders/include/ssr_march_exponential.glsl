@@ -4,7 +4,8 @@
 // In: a clipped ray. Out: the texel at the far end of the last bracket; on a miss texel, p_px and t_m are -1.
 // Needs: float load_dist_view(vec2 texel)    metres, +inf for background
 // The first step is first_step_share of the ray, (g - 1) / (g^n - 1) for n steps that grow by g: they end where the ray
-// ends. Near the mirror, where a metre is many texels, steps are short; far away they are long.
+// ends. Steps are short where the ray starts and long where it ends: right for a ray that goes away from the camera, near
+// which a metre is most texels.
 // What it gets wrong: the length grows with the number of the step, not with what a step is worth on the image. On a ray
 // that comes towards the camera the longest steps fall where the image is finest.
 #ifndef SSR_MARCH_EXPONENTIAL_GLSL

@@ -2,8 +2,9 @@
 //
 // In: a clipped ray. Out: the texel of the first sample that lies inside a column; on a miss texel, p_px and t_m are -1.
 // Needs: float load_dist_view(vec2 texel)    metres, +inf for background
-// What it gets wrong: nearby, many samples fall into one texel; far away, one step jumps over many, and over everything
-// thinner than a step. Its answer approaches the exact walk's as the step shrinks, and its cost grows as 1 / step.
+// What it gets wrong: near the camera one step jumps over many texels, and over everything thinner than a step; far from
+// it many samples fall into one texel. Its answer approaches the exact walk's as the step shrinks, and its cost grows as
+// 1 / step.
 #ifndef SSR_MARCH_NAIVE_GLSL
 #define SSR_MARCH_NAIVE_GLSL
 
