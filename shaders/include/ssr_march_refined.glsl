@@ -43,7 +43,8 @@ RayHit march_refined(Ray ray, PixelProjection projection, TraceParameters parame
   int bisections = min(parameters.bisection_count, parameters.lookup_budget - steps);
   t_behind_m = bisect_t(ray, t_front_m, t_behind_m, bisections, behind, projection, parameters);
   int lookups = steps + max(bisections, 0);
-  return RayHit(ivec2(behind.texel), behind.p_px, t_behind_m, RAY_HIT, lookups, lookups);
+  vec2 p_px = position_inside_px(behind.p_px, parameters);
+  return RayHit(ivec2(behind.texel), p_px, t_behind_m, RAY_HIT, lookups, lookups);
 }
 
 #endif
