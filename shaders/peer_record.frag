@@ -2,6 +2,7 @@
 //
 // In:  peer_answer, dist_view, normal_view, material. Out: hit_texel, hit_point, ray_work. Where the peer says that it
 //      missed, the class is that of the ray's end: a peer has no word for it. Its distance along the ray is not known: 0.
+//      Where the kit traces no ray, nor one into its surface, what the peer says counts for nothing.
 #version 450
 #include "peer_conventions.glsl"
 #include "ssr_ray.glsl"
@@ -55,7 +56,7 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 answer = texelFetch(peer_answer, texel, 0);
   int missed = class_without_hit(texel);
-  bool has_ray = missed != RAY_BACKGROUND && missed != RAY_MASKED;
+  bool has_ray = missed != RAY_BACKGROUND && missed != RAY_MASKED && missed != RAY_INTO_SURFACE;
   int lookups = peer_lookups_channel < 0 || !has_ray ? 0 : int(clamp(answer[peer_lookups_channel], 0.0, 65535.0));
   RayHit hit = ray_without_hit(missed, lookups, lookups);
   vec2 p_px = peer_position_px(answer.xy, size_px, peer_answer_form);
