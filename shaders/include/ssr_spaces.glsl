@@ -33,5 +33,10 @@ vec2 position_clip_to_px(vec4 p_clip, vec2 size_px) {
 // row 0 of the image is NDC y = -1 on both: one flip puts the upper edge of the picture there, on every API.
 vec4 rasterizer_from_clip(vec4 p_clip) { return vec4(p_clip.x, -p_clip.y, p_clip.z, p_clip.w); }
 
+// The rasteriser stores depth_window = P23 / dist_view - P22 of the projection P, 0 at the near plane and 1 at the far
+// plane on every API. An inverse of OpenGL's matrix with its -1..1 range needs 2 * depth_window - 1 instead.
+float dist_view_from_depth_window(float depth_window, mat4 clip_from_view) {
+  return clip_from_view[3][2] / (depth_window + clip_from_view[2][2]);
+}
 
 #endif
