@@ -51,7 +51,8 @@ std::vector<glm::ivec2> marchSamples(MarchSpacing spacing, const ImageRay& ray,
   std::vector<glm::ivec2> texels;
   texels.reserve(count);
   const double length_m = lengthMetres(ray);
-  const double step_m = parameters.step_m > 0.0 ? parameters.step_m : length_m / parameters.step_count;
+  const double step_m = parameters.step_m > 0.0 ? std::max(parameters.step_m, length_m / kMaxStepCount)
+                                                : length_m / parameters.step_count;
   const int axis = std::abs(ray.px_per_sigma.x) >= std::abs(ray.px_per_sigma.y) ? 0 : 1;
   const double direction = ray.px_per_sigma[axis] >= 0.0 ? 1.0 : -1.0;
   const double near_edge = std::floor(ray.px_origin[axis]) + (direction > 0.0 ? 1.0 : 0.0);

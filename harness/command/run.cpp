@@ -24,6 +24,7 @@
 #include "command/run_files.h"
 #include "command/run_request.h"
 #include "command/run_rows.h"
+#include "command/run_step_note.h"
 #include "command/scene_geometry.h"
 #include "command/suite.h"
 #include "frame/stages.h"
@@ -108,6 +109,11 @@ void collect(const SceneRun& run, const std::vector<RunRow>& rows, Findings& fin
       report.frames.push_back({run.source->name, cell.device, cell.size, cell.result->frame_passes});
       for (const std::string& note : cell.result->notes) {
         findings.notes.insert(fmt::format("{}: {}", run.source->name, note));
+      }
+      for (const TraceResult& trace : cell.result->traces) {
+        if (const auto note = shortStepNote(trace)) {
+          findings.notes.insert(fmt::format("{}: {}", run.source->name, *note));
+        }
       }
     }
   }

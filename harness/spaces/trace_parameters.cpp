@@ -33,7 +33,7 @@ const std::vector<Row>& rows() {
       {"max_distance_m", &TraceParameters::max_distance_m, 1e-6, kManyMetres, true},
       {"origin_bias", &TraceParameters::origin_bias, 0.0, 1.0},
       {"lookup_budget", &TraceParameters::lookup_budget, 0.0, kManyLookups},
-      {"step_count", &TraceParameters::step_count, 0.0, 16384.0},
+      {"step_count", &TraceParameters::step_count, 0.0, kMaxStepCount},
       {"step_m", &TraceParameters::step_m, 0.0, kManyMetres},
       {"bisection_count", &TraceParameters::bisection_count, -1.0, 32.0},
       {"stride_px", &TraceParameters::stride_px, 1.0, 1024.0},

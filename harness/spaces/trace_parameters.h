@@ -13,6 +13,9 @@
 
 namespace ssrkit {
 
+// The greatest step_count; a step along the 3-D ray is at least the ray's length over this (ssr_step.glsl).
+inline constexpr int kMaxStepCount = 16384;
+
 enum class TracerForm { kTextbook, kTuned };
 
 // Names and values of parameters, as setParameter reads them.

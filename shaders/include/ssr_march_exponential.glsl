@@ -16,7 +16,7 @@
 
 RayHit march_exponential(Ray ray, PixelProjection projection, TraceParameters parameters) {
   float t_end_m = ray_end_m(ray);
-  float step_m = parameters.step_m > 0.0 ? parameters.step_m : parameters.first_step_share * t_end_m;
+  float step_m = given_step_m(t_end_m, parameters.first_step_share * t_end_m, parameters);
   float offset_steps = march_offset(ray, 1.0, parameters);
   float t_next_m = 0.0;
   float t_front_m = 0.0;

@@ -4,8 +4,12 @@
 
 #include "ssr_ray.glsl"
 
-// Mesa cuts loops at 65,535 iterations without a word; no march comes near.
-const int MAX_MARCH_STEPS = 16384;
+// The shortest step is a ray's length over this: the greatest step_count that there is.
+const int MAX_STEP_COUNT = 16384;
+
+// Iterations of a march, so that every ray comes to its end: jitter takes one step more, sums of steps and their growth
+// round by some ten, and the iteration after the last step finds the end. Mesa cuts loops at 65,535 without a word.
+const int MAX_MARCH_STEPS = MAX_STEP_COUNT + 64;
 
 // How far a march keeps from a ray's vanishing point, in pixels: there the length in metres is infinite.
 const float VANISHING_MARGIN_PX = 0.5;
@@ -25,9 +29,15 @@ float ray_end_s(Ray ray) {
   return vanishes ? max(ray.s_end - s_margin, 0.0) : ray.s_end;
 }
 
+// The user's step_m, or `otherwise_m` where there is none. A ray too long for so short steps takes longer ones: a march
+// that ended halfway would have no answer.
+float given_step_m(float t_end_m, float otherwise_m, TraceParameters parameters) {
+  return parameters.step_m > 0.0 ? max(parameters.step_m, t_end_m / float(MAX_STEP_COUNT)) : otherwise_m;
+}
+
 // The user's step_m, or the clipped ray in step_count equal steps.
 float march_step_m(float t_end_m, TraceParameters parameters) {
-  return parameters.step_m > 0.0 ? parameters.step_m : t_end_m / float(parameters.step_count);
+  return given_step_m(t_end_m, t_end_m / float(parameters.step_count), parameters);
 }
 
 // How far the samples of this pixel are moved back: up to jitter steps, by dither noise. In the unit of `step`.

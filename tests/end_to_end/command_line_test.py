@@ -160,6 +160,11 @@ class Parameters(CommandLineTest):
         result = self.trace(*(word for end in ends for word in ("--param", end)))
         self.assert_exit(0, result)
 
+    def test_a_step_too_short_for_the_rays_is_noted(self):
+        result = self.trace("--param", "step_m=1e-6", stage="naive")
+        self.assertIn("the most that there are; where step_m = 1e-06 would have needed more", result.err)
+        self.assertEqual("", self.trace("--param", "step_m=0.1", stage="naive").err)
+
 
     def test_a_relative_thickness_alone_is_the_whole_thickness(self):
         for more, thickness_m in (((), 0), (("--param", "thickness_m=0.25"), 0.25)):

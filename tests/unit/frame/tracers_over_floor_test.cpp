@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -49,6 +50,23 @@ TEST_P(TracersOverFloorTest, BackgroundThatIsTakenForASurfaceIsStillBackground) 
     EXPECT_EQ(above.ray_class, RayClass::kBackground) << x;
     EXPECT_EQ(above.lookups, 0U) << x;
     EXPECT_EQ(above.texel_x, -1) << x;
+  }
+}
+
+// A floor without a wall, and rays of at most 100 m: nothing is hit. Every ray comes to its end, also in as
+// many steps as there are, moved back by up to a whole one, and in steps too short for so many.
+TEST_P(TracersOverFloorTest, TheMostStepsReachEveryRaysEnd) {
+  const Job job = floorAndWall({4, 24}, std::numeric_limits<double>::infinity());
+  for (const std::string stage : {"naive", "world", "refined", "exponential", "adaptive"}) {
+    for (const double step_m : {0.0, 1e-4}) {
+      for (const double jitter : {0.0, 1.0}) {
+        const RayRecord record = trace(
+            job, stage,
+            {.max_distance_m = 100.0, .step_count = kMaxStepCount, .step_m = step_m, .jitter = jitter}, "");
+        EXPECT_EQ(std::ranges::count(record.rays, RayClass::kBudget, &RayHit::ray_class), 0)
+            << stage << ", step_m " << step_m << ", jitter " << jitter;
+      }
+    }
   }
 }
 
