@@ -10,6 +10,7 @@ namespace ssrkit {
 struct CompileCommandOptions {
   std::filesystem::path file;
   std::filesystem::path shader_root;  // where the kit's own includes are
+  std::filesystem::path out;          // where what the drivers are given is written; empty: nowhere
   bool json = false;
   bool optimise = false;
   bool use_colour = false;

@@ -145,7 +145,7 @@ std::string includesText(std::span<const CompileResult> results) {
 }  // namespace
 
 std::string compileReportText(const std::string& file, std::span<const CompileResult> results,
-                              bool use_colour) {
+                              std::span<const CompiledFile> files, bool use_colour) {
   std::string text = wrapped(file, 4) + "\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     text += headline(results[i], use_colour);
@@ -155,6 +155,10 @@ std::string compileReportText(const std::string& file, std::span<const CompileRe
     }
   }
   text += includesText(results);
+  for (const CompiledFile& written : files) {
+    text += fmt::format("{}{}\n    {}, for {}\n", &written == files.data() ? "written\n  " : "  ",
+                        written.path.string(), written.holds, written.devices);
+  }
   return text;
 }
 

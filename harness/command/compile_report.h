@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -19,11 +20,19 @@ struct CompileResult {
   std::int64_t wall_ns = 0;
 };
 
-// For people: at most 100 columns.
+// A file that was written of the result.
+struct CompiledFile {
+  std::filesystem::path path;
+  std::string holds;    // "SPIR-V", "GLSL 330"
+  std::string devices;  // whose drivers are given this
+};
+
+// For people: at most 100 columns, but for files' names.
 [[nodiscard]] std::string compileReportText(const std::string& file, std::span<const CompileResult> results,
-                                            bool use_colour);
+                                            std::span<const CompiledFile> files, bool use_colour);
 
 // For programs: one JSON object.
-[[nodiscard]] std::string compileReportJson(const std::string& file, std::span<const CompileResult> results);
+[[nodiscard]] std::string compileReportJson(const std::string& file, std::span<const CompileResult> results,
+                                            std::span<const CompiledFile> files);
 
 }  // namespace ssrkit

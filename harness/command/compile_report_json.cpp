@@ -90,12 +90,18 @@ Json resultJson(const CompileResult& result) {
 
 }  // namespace
 
-std::string compileReportJson(const std::string& file, std::span<const CompileResult> results) {
+std::string compileReportJson(const std::string& file, std::span<const CompileResult> results,
+                              std::span<const CompiledFile> files) {
   Json json = {{"schema", "ssrkit-compile"},
                {"schema_version", kCompileSchemaVersion},
                {"file", file},
-               {"targets", Json::array()}};
+               {"targets", Json::array()},
+               {"files", Json::array()}};
   std::ranges::transform(results, std::back_inserter(json["targets"]), resultJson);
+  for (const CompiledFile& written : files) {
+    json["files"].push_back(
+        {{"path", written.path.string()}, {"holds", written.holds}, {"devices", written.devices}});
+  }
   return jsonText(json, 2) + "\n";
 }
 

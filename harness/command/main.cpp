@@ -94,6 +94,7 @@ void addCompile(CLI::App& app, CompileCommandOptions& options, Command& command)
   compile->add_option("file", options.file, "A .vert, .frag or .glsl file; the last is a fragment shader")
       ->required();
   compile->add_flag("--optimise", options.optimise, "Run spirv-opt -O too");
+  compile->add_option("--out", options.out, "Write what the devices' drivers are given into this folder");
   compile->add_flag("--json", options.json, "Print JSON");
   compile->callback([&] {
     command = [&] {

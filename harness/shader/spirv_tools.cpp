@@ -93,6 +93,19 @@ Expected<std::vector<std::uint32_t>> rewriteSpirv(const std::vector<std::uint32_
   return refused("the SPIR-V optimiser failed on it", std::move(messages), where, attempted);
 }
 
+Expected<std::string> disassembleSpirv(const std::vector<std::uint32_t>& spirv, ShaderTarget target,
+                                       const std::string& attempted) {
+  std::vector<std::string> messages;
+  spvtools::SpirvTools tools(environmentOf(target));
+  tools.SetMessageConsumer(collectInto(messages));
+  std::string text;
+  if (tools.Disassemble(spirv, &text,
+                        SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES | SPV_BINARY_TO_TEXT_OPTION_INDENT)) {
+    return text;
+  }
+  return refused("it is no SPIR-V", std::move(messages), "", attempted);
+}
+
 std::string spirvToolsVersion() {
   return fmt::format("SPIRV-Tools {}", spvSoftwareVersionString());
 }

@@ -20,6 +20,10 @@ namespace ssrkit {
                                                                 const std::string& where,
                                                                 const std::string& attempted);
 
+// The module as text that spirv-as reads back, ids by their names in the source. Fails on what is no module.
+[[nodiscard]] Expected<std::string> disassembleSpirv(const std::vector<std::uint32_t>& spirv,
+                                                     ShaderTarget target, const std::string& attempted);
+
 // "SPIRV-Tools v2023.1"
 [[nodiscard]] std::string spirvToolsVersion();
 

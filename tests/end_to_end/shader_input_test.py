@@ -1,5 +1,9 @@
 """Shaders of one's own: what is wrong with them is told by file, line and column, and none of them hangs the kit."""
 
+import json
+import os
+import struct
+
 import kit
 
 ENTRY = """#version 450
@@ -67,6 +71,38 @@ class WhatDoesNotCompile(ShaderTest):
         result = self.ssrkit("compile", "own.frag")
         self.assert_exit(2, result)
         self.assertIn("own.frag:8:15", result.out)
+
+
+class WhatDriversAreGiven(ShaderTest):
+    def test_modules_and_translations_are_written_and_named(self):
+        result = self.ssrkit("compile", os.path.join(kit.SOURCE, "shaders", "trace_dda.frag"), "--out", "given", "--json")
+        self.assert_exit(0, result)
+        named = sorted(os.path.basename(file["path"]) for file in json.loads(result.out)["files"])
+        self.assertEqual(sorted("trace_dda.frag." + end for end in
+                                ("opengl.spv", "opengl.spvasm", "vulkan.spv", "vulkan.spvasm", "gl-glsl.glsl",
+                                 "gl-softpipe.glsl")), named)
+        self.assertEqual(named, sorted(os.listdir(self.path("given"))))
+        for api in ("opengl", "vulkan"):
+            with open(self.path("given", f"trace_dda.frag.{api}.spv"), "rb") as file:
+                self.assertEqual(0x07230203, struct.unpack("<I", file.read(4))[0])
+            self.assertIn("OpEntryPoint Fragment %main", self.read("given", f"trace_dda.frag.{api}.spvasm"))
+        self.assertTrue(self.read("given", "trace_dda.frag.gl-glsl.glsl").startswith("#version 450"))
+        self.assertTrue(self.read("given", "trace_dda.frag.gl-softpipe.glsl").startswith("#version 330"))
+
+    def test_nothing_is_written_of_what_does_not_compile(self):
+        self.write("own.frag", ENTRY % "    float x = nosuch;")
+        result = self.ssrkit("compile", "own.frag", "--out", "given")
+        self.assert_exit(2, result)
+        self.assertEqual([], os.listdir(self.path("given")))
+
+    def test_a_folder_that_cannot_be_is_named(self):
+        self.write("file", "")
+        self.write("own.frag", "#version 450\nvoid main() {}\n")
+        self.assert_refused(self.ssrkit("compile", "own.frag", "--out", "file/below"), "file/below", code=3)
+
+    def read(self, *parts):
+        with open(self.path(*parts), encoding="utf-8") as file:
+            return file.read()
 
 
 class WhatDoesNotFit(ShaderTest):
