@@ -2,8 +2,14 @@
 
 import pathlib
 import re
+import sys
+import tempfile
 import tomllib
 import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "mutants"))
+import write_shader
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MUTANTS = ROOT / "tests" / "mutants"
@@ -98,6 +104,19 @@ class Mutants(unittest.TestCase):
                 self.assertTrue(made_of(entry) & changed)
         rooms = {path.relative_to(ROOT).parts[1] for path in changed if path.suffix == ".cpp"}
         self.assertLessEqual({"check", "oracle", "device", "spaces", "shader"}, rooms)
+
+    def test_the_shaders_of_each_can_be_written_to_be_drawn(self):
+        for name, mutant in self.mutants.items():
+            changed = changed_file(mutant)
+            if changed.suffix == ".cpp":
+                continue
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                write_shader.write_shaders(name, pathlib.Path(folder))
+                kit = {path.name: path.read_text() for path in
+                       [*(ROOT / "shaders").glob("*.frag"), *(ROOT / "shaders").glob("*.vert"),
+                        *(ROOT / "shaders" / "include").glob("*.glsl")]}
+                written = {path.name: path.read_text() for path in pathlib.Path(folder).iterdir()}
+                self.assertEqual({changed.name}, {name for name in kit if written.get(name) != kit[name]})
 
 
 if __name__ == "__main__":
