@@ -92,11 +92,7 @@ Expected<int> devicesCommand(const DevicesOptions& options) {
     }
   }
   if (options.json) {
-    const nlohmann::ordered_json json = {{"schema", "ssrkit-devices"},
-                                         {"schema_version", kDevicesSchemaVersion},
-                                         {"kit_version", SSRKIT_VERSION},
-                                         {"devices", std::move(list)}};
-    fmt::print("{}\n", jsonText(json, 2));
+    fmt::print("{}\n", jsonText(list, 2));
   }
   return all_present || options.devices.empty() ? 0 : 3;
 }

@@ -8,9 +8,6 @@
 
 namespace ssrkit {
 
-// Of `devices --json` (docs/formats.md); raised when a reader of the older version would be misled.
-inline constexpr int kDevicesSchemaVersion = 1;
-
 struct DevicesOptions {
   std::vector<std::string> devices;  // none: every device of the registry
   bool json = false;
