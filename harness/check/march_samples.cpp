@@ -8,19 +8,6 @@ namespace ssrkit {
 
 namespace {
 
-// Where t_m / dist_view is sigma and 1 / dist_view is linear in sigma.
-double sigmaAtMetres(const ImageRay& ray, double t_m) {
-  return t_m * ray.inv_dist_origin / (1.0 - t_m * ray.inv_dist_per_sigma);
-}
-
-// The length of the ray; one that runs to its vanishing point inside the image ends half a pixel before it.
-double lengthMetres(const ImageRay& ray) {
-  constexpr double kVanishingMarginPx = 0.5;
-  const double speed_px = std::max(std::abs(ray.px_per_sigma.x), std::abs(ray.px_per_sigma.y));
-  const double margin = kVanishingMarginPx / speed_px * std::abs(ray.inv_dist_per_sigma);
-  return ray.sigma_end / std::max(ray.invDistAt(ray.sigma_end), std::min(margin, ray.inv_dist_origin));
-}
-
 glm::ivec2 texelAt(glm::dvec2 px) {
   return {static_cast<int>(std::floor(px.x)), static_cast<int>(std::floor(px.y))};
 }
@@ -34,6 +21,18 @@ std::size_t sampleCount(MarchSpacing spacing, const TraceParameters& parameters,
 }
 
 }  // namespace
+
+// From t_m = sigma * dist_view, and 1 / dist_view linear in sigma.
+double sigmaAtMetres(const ImageRay& ray, double t_m) {
+  return t_m * ray.inv_dist_origin / (1.0 - t_m * ray.inv_dist_per_sigma);
+}
+
+double lengthMetres(const ImageRay& ray) {
+  constexpr double kVanishingMarginPx = 0.5;
+  const double speed_px = std::max(std::abs(ray.px_per_sigma.x), std::abs(ray.px_per_sigma.y));
+  const double margin = kVanishingMarginPx / speed_px * std::abs(ray.inv_dist_per_sigma);
+  return ray.sigma_end / std::max(ray.invDistAt(ray.sigma_end), std::min(margin, ray.inv_dist_origin));
+}
 
 std::optional<MarchSpacing> marchSpacing(std::string_view stage) {
   if (stage == "naive" || stage == "refined") {

@@ -14,6 +14,11 @@
 
 namespace ssrkit {
 
+// Where the ray is after t_m metres.
+[[nodiscard]] double sigmaAtMetres(const ImageRay& ray, double t_m);
+// The length of the ray; one that runs to its vanishing point inside the image ends half a pixel before it.
+[[nodiscard]] double lengthMetres(const ImageRay& ray);
+
 // How a stage goes along a ray: by metres, or by columns (or rows) of the image.
 enum class MarchSpacing { kMetres, kColumns };
 

@@ -50,6 +50,9 @@ namespace ssrkit {
 // measure_sampling.cpp: where the march looks.
 [[nodiscard]] Measurement measureSampling(const Expectation& expectation, const Subject& subject);
 
+// measure_steps.cpp: hits in the steps that found them.
+[[nodiscard]] Measurement measureHitSteps(const Expectation& expectation, const Subject& subject);
+
 // measure_time.cpp
 [[nodiscard]] Measurement measureCpuRatio(const Expectation& expectation, const Subject& subject);
 [[nodiscard]] Measurement measureRooflineMultiple(const Expectation& expectation, const Subject& subject);

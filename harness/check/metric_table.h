@@ -19,6 +19,8 @@ enum class Metric : std::uint8_t {
   kHitPositionPx,
   kHitJumpPx,
   kFoundShare,
+  kHitInStepShare,
+  kHitOffRayShare,
   kClosedForm,
   kClosedFormLookups,
   kIdentical,
