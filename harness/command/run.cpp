@@ -27,6 +27,7 @@
 #include "command/run_step_note.h"
 #include "command/scene_geometry.h"
 #include "command/suite.h"
+#include "command/wanted_checks.h"
 #include "frame/stages.h"
 #include "report/geometry_table.h"
 #include "report/pass_table.h"
@@ -124,14 +125,14 @@ void collect(const SceneRun& run, const std::vector<RunRow>& rows, Findings& fin
 
 // Runs scene after scene; the files of one are written while the next one is traced.
 Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<SceneSource>& scenes,
-                         const std::filesystem::path& out, Findings& findings) {
+                         const RunOptions& options, Findings& findings) {
   std::future<Expected<void>> writing;
   const auto finishWriting = [&]() -> Expected<void> {
     return writing.valid() ? writing.get() : Expected<void>{};
   };
   for (const SceneSource& source : scenes) {
     TestFile asked = test;
-    keepWhatIsAsked(asked, source.defaults);
+    keepWhatIsAsked(asked, source, options);
     SceneRun run = suite.run(asked, source);
     warnOfTies(run.checks);
     std::vector<RunRow> rows = runRows(run);
@@ -139,7 +140,7 @@ Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<S
     if (auto written = finishWriting(); !written) {
       return written;
     }
-    writing = std::async(std::launch::async, [run = std::move(run), rows = std::move(rows), out]() mutable {
+    writing = std::async(std::launch::async, [run = std::move(run), rows = std::move(rows), out = options.out]() mutable {
       return writeSceneFiles(out, std::move(run), rows);
     });
   }
@@ -200,7 +201,7 @@ Expected<int> runCommand(const RunOptions& options) {
   Findings findings{
       .report = {.kit_version = SSRKIT_VERSION, .started = utcNow(), .command = options.command}};
   done = done ? addDevices(**suite, findings.report) : done;
-  done = done ? runScenes(**suite, request->test, request->scenes, options.out, findings) : done;
+  done = done ? runScenes(**suite, request->test, request->scenes, options, findings) : done;
   done = done ? writeReportFiles(options.out, findings.report) : done;
   progress.clear();
   return done ? Expected<int>(finish(findings, options)) : tl::make_unexpected(done.error());

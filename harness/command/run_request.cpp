@@ -194,20 +194,6 @@ Expected<Size> readSize(const std::string& text) {
 
 }  // namespace
 
-void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters) {
-  const bool is_dense = parameters.stride_px == 1 && parameters.jitter == 0.0;
-  const bool is_unlimited = parameters.lookup_budget == TraceParameters{}.lookup_budget;
-  std::erase_if(test.expectations, [&](Expectation& expectation) {
-    const bool against_oracle = expectation.truth.kind == TruthKind::kOracle;
-    std::erase_if(expectation.stages, [&](const std::string& stage) {
-      const bool is_chosen = std::ranges::find(test.stages, stage) != test.stages.end();
-      return !is_chosen || (against_oracle && stage == "dda" && !(is_dense && is_unlimited)) ||
-             (against_oracle && stage == "hiz" && !is_unlimited);
-    });
-    return expectation.stages.empty();
-  });
-}
-
 Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& paths) {
   if (!options.extra.validate.empty() && std::ranges::none_of(options.devices, isVulkanDevice)) {
     return inputError("validate", "none of the devices is a Vulkan one", "--validate",

@@ -25,9 +25,4 @@ struct RunRequest {
 // Fails on whatever is not there, misspelt or contradictory, before any work is done.
 [[nodiscard]] Expected<RunRequest> readRequest(const RunOptions& options, const KitPaths& paths);
 
-// Leaves out what is not asked of the chosen stages, and what the parameters make untrue of a right tracer:
-// strides and jitter let the DDA pass more than it leaks, and a budget ends the pyramid's tracer later than
-// the walk.
-void keepWhatIsAsked(TestFile& test, const TraceParameters& parameters);
-
 }  // namespace ssrkit
