@@ -17,6 +17,7 @@ struct Reference {
   RayClass ray_class = RayClass::kMasked;
   MarchSample hit;
   int samples = 0;
+  int lookups = 0;
   bool is_tie = false;
 };
 
@@ -37,14 +38,18 @@ class March {
            reference.samples < rules_.least_samples) {
       const double dist_before = last.dist_ray;
       const double sigma_before = last.sigma;
+      const double next = rules_.next(ray_, reference.samples + 1, last);
+      if (rules_.looks_at_points && next >= ray_.sigma_end) {
+        break;
+      }
       ++reference.samples;
-      const double next = rules_.next(ray_, reference.samples, last);
       // Just before the end or just beyond it: one sample more or less.
       is_tie_ =
           is_tie_ || (next != ray_.sigma_end && std::abs(next - ray_.sigma_end) <= 1e-5 * ray_.sigma_end);
       is_tie_ = is_tie_ || std::isnan(next);
       const double sigma = next < ray_.sigma_end ? next : ray_.sigma_end;
       last = sampleAt(sigma);
+      reference.lookups += rules_.looks_at_points && isOwn(last) ? 0 : 1;
       if (hits(last, dist_before)) {
         reference.hit = refined(sigma_before, last);
         reference.ray_class = RayClass::kHit;
@@ -103,7 +108,8 @@ class March {
       moved.texel_x = std::clamp(static_cast<int>(std::floor(at.x)), 0, dist_view_.size.width - 1);
       moved.texel_y = std::clamp(static_cast<int>(std::floor(at.y)), 0, dist_view_.size.height - 1);
       moved.dist_surface = dist_view_.at(moved.texel_x, moved.texel_y);
-      is_tie_ = is_tie_ || decide(moved) != decision;
+      is_tie_ =
+          is_tie_ || decide(moved) != decision || (rules_.looks_at_points && isOwn(moved) != isOwn(sample));
       is_border_ = is_border_ || moved.texel_x != sample.texel_x || moved.texel_y != sample.texel_y;
     }
     return decision;
@@ -112,8 +118,8 @@ class March {
   bool hits(const MarchSample& sample, double dist_before) {
     is_border_ = false;
     const bool hit = decided(sample, [&](const MarchSample& at) {
-      return at.dist_ray >= at.dist_surface &&
-             std::min(at.dist_ray, dist_before) < columnFar(at.dist_surface) && !isOwn(at);
+      const double nearest = rules_.looks_at_points ? at.dist_ray : std::min(at.dist_ray, dist_before);
+      return at.dist_ray >= at.dist_surface && nearest < columnFar(at.dist_surface) && !isOwn(at);
     });
     is_tie_ = is_tie_ || (hit && is_border_);
     return hit;
@@ -179,9 +185,11 @@ std::string differenceFromRules(const Job& job, const TraceParameters& parameter
       const RayHit& ray = record.at(x, y);
       const bool is_hit = right.ray_class == RayClass::kHit;
       const glm::dvec2 px = is_hit ? pixel.ray.pxAt(right.hit.sigma) : glm::dvec2(-1.0);
-      const auto lookups = static_cast<std::uint32_t>(right.samples + (is_hit ? rules.bisections : 0));
+      const int bisections = is_hit ? rules.bisections : 0;
       const bool same = ray.ray_class == right.ray_class && ray.texel_x == right.hit.texel_x &&
-                        ray.texel_y == right.hit.texel_y && ray.steps == lookups && ray.lookups == lookups &&
+                        ray.texel_y == right.hit.texel_y &&
+                        ray.steps == static_cast<std::uint32_t>(right.samples + bisections) &&
+                        ray.lookups == static_cast<std::uint32_t>(right.lookups + bisections) &&
                         glm::length(glm::dvec2(ray.px_x, ray.px_y) - px) <= kTieOfPositionPx;
       if (!same) {
         return fmt::format("pixel {}, {}: {}", x, y, wordsOf(ray, right, px));

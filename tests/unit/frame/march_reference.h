@@ -40,6 +40,9 @@ struct MarchRules {
   int bisections = 0;
   bool bisects_metres = false;  // else pixels
   bool ends_by_metres = true;   // the margin at the vanishing point in metres, else in pixels
+  // A sample hits the column that it lies in, not the one that the step before it met; the ray's end is not
+  // looked at, and the ray's own texel costs no lookup.
+  bool looks_at_points = false;
   int least_samples = 0;
   int most_samples = 60000;
 };

@@ -46,6 +46,47 @@ NextSigma everyPixels(double stride) {
   };
 }
 
+// Steps of one length in metres: of `step_m`, or so that `step_count` of them, a power of two whose multiples
+// round to nothing, make the ray.
+NextSigma everyMetres(double step_m, int step_count) {
+  return [=](const MarchRay& ray, int count, const MarchSample&) {
+    if (step_m <= 0.0) {
+      const double share = static_cast<double>(count) / step_count;
+      return count == step_count ? ray.sigma_end : ray.sigmaAtMetres(share * ray.metresAt(ray.sigma_end));
+    }
+    const double end_m = ray.metresAt(ray.sigma_end);
+    if (std::abs(end_m - count * step_m) < 1e-4 * end_m) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return count * step_m >= end_m ? ray.sigma_end : ray.sigmaAtMetres(count * step_m);
+  };
+}
+
+TEST_P(TracersTest, NaiveAndWorldLookAtAPointEveryStep) {
+  for (const std::string stage : {"naive", "world"}) {
+    for (const double step_m : {0.0, 0.07, 0.5}) {
+      EXPECT_EQ(overSurfaces(stage, "", {.max_distance_m = 30.0, .step_count = 32, .step_m = step_m},
+                             {.next = everyMetres(step_m, 32), .looks_at_points = true}),
+                "")
+          << stage << ", steps of " << step_m;
+    }
+  }
+}
+
+TEST_P(TracersTest, RefinedTestsEveryStepUpToTheRaysEndAndBisectsIt) {
+  for (const double step_m : {0.0, 0.07, 0.5}) {
+    for (const int bisections : {0, 2, 4}) {
+      EXPECT_EQ(
+          overSurfaces(
+              "refined", "",
+              {.max_distance_m = 30.0, .step_count = 32, .step_m = step_m, .bisection_count = bisections},
+              {.next = everyMetres(step_m, 32), .bisections = bisections, .bisects_metres = true}),
+          "")
+          << "steps of " << step_m;
+    }
+  }
+}
+
 TEST_P(TracersTest, HomogeneousStepsAreExactlyNPixelsLong) {
   const auto check = [&](const std::string& shader) -> std::string {
     for (const int stride : {1, 3, 4, 7, 8, 16}) {
