@@ -138,7 +138,12 @@ Measurement measureHitPosition(const Expectation& expectation, const Subject& su
   if (!pairs.problem.empty()) {
     return cannotMeasure(pairs.problem);
   }
-  std::erase_if(pairs.pairs, [](const RayPair& pair) { return !bothHit(pair) || differ(pair); });
+  // Another device's or case's hits may lie anywhere: what moved into another texel has moved the farthest.
+  const bool moves_texels =
+      expectation.truth.kind == TruthKind::kCross || expectation.truth.kind == TruthKind::kCase;
+  std::erase_if(pairs.pairs, [moves_texels](const RayPair& pair) {
+    return !bothHit(pair) || (!moves_texels && differ(pair));
+  });
   std::vector<double> distances;
   for (const RayPair& pair : pairs.pairs) {
     distances.push_back(hitDistancePx(pair));

@@ -200,6 +200,22 @@ TEST(MaskFlips, AreCountedPerMillionPixels) {
   EXPECT_EQ(outcomeName(bench.check(one)), "fail");
 }
 
+TEST(HitPosition, AHitInAnotherTexelCountsAgainstAnotherCase) {
+  const std::string cases = "[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\n";
+  const Expectation moved =
+      expectation("metric = \"hit_position_px\"\ntruth = \"case:a\"\npercentile = 90\nmax = 0.5", cases);
+  Bench bench;
+  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", "a");
+  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", "b");
+  EXPECT_EQ(outcomeName(bench.check(moved, 1)), "pass");
+  for (std::size_t i = 0; i < 58; ++i) {  // nine in ten
+    bench.records.back().rays[i].texel_x += 10;
+    bench.records.back().rays[i].px_x += 10.0F;
+  }
+  EXPECT_EQ(outcomeName(bench.check(moved, 1)), "fail");
+  EXPECT_EQ(bench.check(moved, 1).value, 10.0);
+}
+
 TEST(FoundShare, CountsTheOraclesHitsWithinTwoPixels) {
   Bench bench;
   RayRecord yours = shiftedRecord({8, 8});
