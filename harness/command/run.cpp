@@ -140,9 +140,10 @@ Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<S
     if (auto written = finishWriting(); !written) {
       return written;
     }
-    writing = std::async(std::launch::async, [run = std::move(run), rows = std::move(rows), out = options.out]() mutable {
-      return writeSceneFiles(out, std::move(run), rows);
-    });
+    writing = std::async(std::launch::async,
+                         [run = std::move(run), rows = std::move(rows), out = options.out]() mutable {
+                           return writeSceneFiles(out, std::move(run), rows);
+                         });
   }
   return finishWriting();
 }
