@@ -1,9 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "command/bench.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace ssrkit {
 

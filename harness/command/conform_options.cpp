@@ -1,5 +1,7 @@
 #include "command/conform_options.h"
 
+#include <CLI/CLI.hpp>
+
 namespace ssrkit {
 
 namespace {

@@ -1,11 +1,14 @@
 // The options of `conform` and `conform merge`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "base/error.h"
 #include "command/conform.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace ssrkit {
 

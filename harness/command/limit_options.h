@@ -1,9 +1,11 @@
 // --compile-limit and --run-limit, of every command that draws other people's shaders.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "worker/job_limits.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace ssrkit {
 

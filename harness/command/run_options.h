@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "base/error.h"
 #include "command/run.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace ssrkit {
 

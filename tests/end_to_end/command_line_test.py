@@ -66,7 +66,7 @@ class Commands(CommandLineTest):
 
     def test_nothing_to_compile(self):
         self.assert_refused(self.ssrkit("compile", "nosuch.frag"), "nosuch.frag", "no such file")
-        self.assert_refused(self.ssrkit("compile", self.write("text.glsl", "")), "text.glsl", ".frag")
+        self.assert_refused(self.ssrkit("compile", self.write("text.txt", "")), "text.txt", ".frag")
 
 
 class Names(CommandLineTest):
