@@ -14,10 +14,6 @@ constexpr float kEdgeSlackPx = 1.0F / 128.0F;  // 2^-7 px: rounding of a positio
 
 using Violates = bool (*)(const RayHit& ray, const Answer& self, int x, int y);
 
-bool isHit(const RayHit& ray) {
-  return ray.ray_class == RayClass::kHit;
-}
-
 bool isNotFinite(const RayHit& ray, const Answer& /*self*/, int /*x*/, int /*y*/) {
   return !std::isfinite(ray.px_x) || !std::isfinite(ray.px_y) || !std::isfinite(ray.t_m) ||
          (isHit(ray) && ray.t_m < 0.0F);

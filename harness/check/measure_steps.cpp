@@ -38,10 +38,6 @@ double apartPx(const RayHit& a, const RayHit& b) {
   return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }
 
-bool isHit(const RayHit& hit) {
-  return hit.ray_class == RayClass::kHit;
-}
-
 // One stage's hits beside the oracle's.
 class StepJudge {
  public:

@@ -13,7 +13,7 @@ namespace {
 constexpr double kBackground = std::numeric_limits<double>::infinity();
 constexpr std::size_t kGbufferCount = 6;
 
-const std::vector<FrameImageRow>& table() {
+const std::vector<FrameImageRow>& imageTable() {
   using enum Format;
   const std::vector<std::string> rgb = {"R", "G", "B"};
   const std::vector<std::string> rgba = {"R", "G", "B", "A"};
@@ -132,18 +132,18 @@ const std::vector<FrameImageRow>& table() {
 
 // Null for images of a size of their own, which have no row.
 const FrameImageRow* findImageRow(std::string_view name) {
-  const auto found = std::ranges::find(table(), name, &FrameImageRow::name);
-  return found == table().end() ? nullptr : &*found;
+  const auto found = std::ranges::find(imageTable(), name, &FrameImageRow::name);
+  return found == imageTable().end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 std::span<const FrameImageRow> frameImages() {
-  return table();
+  return imageTable();
 }
 
 std::span<const FrameImageRow> gbufferImages() {
-  return std::span(table()).first(kGbufferCount);
+  return std::span(imageTable()).first(kGbufferCount);
 }
 
 const FrameImageRow& frameImageRow(std::string_view name) {

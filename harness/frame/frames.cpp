@@ -10,7 +10,7 @@ namespace {
 const std::map<std::string, UniformConstant> kAo = {
     {"ao_radius_m", 0.5}, {"ao_thickness_m", 0.5}, {"ao_sample_count", 8}};
 
-const std::vector<FrameKind>& table() {
+const std::vector<FrameKind>& frameKindTable() {
   static const std::vector<FrameKind> rows = {
       {.name = "basic",
        .about = "one G-buffer, lit by Lambert and Blinn-Phong",
@@ -49,7 +49,7 @@ const std::vector<FrameKind>& table() {
 }  // namespace
 
 std::span<const FrameKind> frameKinds() {
-  return table();
+  return frameKindTable();
 }
 
 Expected<const FrameKind*> findFrameKind(std::string_view name) {

@@ -11,7 +11,7 @@ namespace ssrkit {
 
 namespace {
 
-const std::vector<Stage>& table() {
+const std::vector<Stage>& stageTable() {
   static const std::vector<Stage> rows = {
       {.name = "naive",
        .about = "constant steps along the 3-D ray",
@@ -127,7 +127,7 @@ const std::vector<Stage>& table() {
 }  // namespace
 
 std::span<const Stage> stages() {
-  return table();
+  return stageTable();
 }
 
 Expected<const Stage*> findStage(std::string_view name) {

@@ -22,7 +22,7 @@ std::vector<Technique> joined(std::vector<std::vector<Technique>> families) {
   return all;
 }
 
-const std::vector<Technique>& table() {
+const std::vector<Technique>& techniqueTable() {
   static const std::vector<Technique> rows =
       joined({compositeTechniques(), filterTechniques(), packedTechniques(), roughTechniques(),
               temporalTechniques(), rooflineTechniques()});
@@ -32,7 +32,7 @@ const std::vector<Technique>& table() {
 }  // namespace
 
 std::span<const Technique> techniques() {
-  return table();
+  return techniqueTable();
 }
 
 Expected<const Technique*> findTechnique(std::string_view name) {

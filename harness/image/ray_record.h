@@ -46,6 +46,10 @@ struct RayHit {
   std::uint32_t steps = 0;    // iterations of the march
 };
 
+[[nodiscard]] constexpr bool isHit(const RayHit& ray) {
+  return ray.ray_class == RayClass::kHit;
+}
+
 struct RayRecord {
   Size size;
   std::vector<RayHit> rays;  // row by row from the upper left
