@@ -15,10 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The command that compiles a source file, up to the names of its object and source. Warnings are the kit's,
-// not the mutant's: what a mistake leaves unused is none.
-Expected<std::string> compileCommandOf(const fs::path& source, const fs::path& build,
-                                       const std::string& attempted) {
+// What the compiler is given: the source itself, or a file of the build that includes it among others.
+struct TranslationUnit {
+  fs::path path;
+  std::string command;  // up to the names of its object and source
+};
+
+// How a unity build's file names a source.
+std::string includeOf(const fs::path& source) {
+  return fmt::format("#include \"{}\"", source.string());
+}
+
+// Warnings are the kit's, not the mutant's: what a mistake leaves unused is none.
+Expected<TranslationUnit> unitOf(const fs::path& source, const fs::path& build,
+                                 const std::string& attempted) {
   const fs::path list = build / "compile_commands.json";
   const auto content = readFile(list);
   if (!content) {
@@ -27,13 +37,39 @@ Expected<std::string> compileCommandOf(const fs::path& source, const fs::path& b
   std::error_code ignored;
   const fs::path wanted = fs::canonical(source, ignored);
   for (const nlohmann::json& entry : nlohmann::json::parse(*content, nullptr, false)) {
-    if (fs::path(entry.value("file", "")) == wanted) {
+    const fs::path path = entry.value("file", "");
+    const auto unity = path.parent_path().filename() == "Unity" ? readFile(path) : Expected<std::string>("");
+    if (path == wanted || (unity && unity->find(includeOf(wanted)) != std::string::npos)) {
       const std::string command = entry.value("command", "");
-      return command.substr(0, command.find(" -o ")) + " -w";
+      return TranslationUnit{path, command.substr(0, command.find(" -o ")) + " -w"};
     }
   }
-  return inputError(attempted, fmt::format("'{}' is no file that is compiled by itself", source.string()),
+  return inputError(attempted, fmt::format("'{}' is no file that is compiled", source.string()),
                     list.string(), "name a .cpp file of the build");
+}
+
+// Writes the mutant's source into `folder`, and where others are compiled with it the file that includes them
+// all. What there is to compile.
+Expected<fs::path> writeSource(const std::string& edited, const fs::path& source,
+                               const TranslationUnit& compiled, const fs::path& folder) {
+  fs::path changed = folder / source.filename();
+  if (const auto done = writeFileAtomically(changed, edited); !done) {
+    return tl::make_unexpected(done.error());
+  }
+  std::error_code ignored;
+  const fs::path own = fs::canonical(source, ignored);
+  if (compiled.path == own) {
+    return changed;
+  }
+  auto unity = readFile(compiled.path);
+  if (!unity) {
+    return tl::make_unexpected(unity.error());
+  }
+  const std::string include = includeOf(own);
+  unity->replace(unity->find(include), include.size(), includeOf(changed));
+  fs::path all = folder / compiled.path.filename();
+  const auto done = writeFileAtomically(all, *unity);
+  return done ? Expected<fs::path>(std::move(all)) : tl::make_unexpected(done.error());
 }
 
 // A shell command that must succeed; what it printed is the reason when it does not.
@@ -86,18 +122,17 @@ Expected<fs::path> buildMutant(const Mutant& mutant, const KitPaths& paths, cons
   const auto original = readFile(source);
   const auto edited =
       original ? applyEdit(*original, mutant.edit, mutant.where) : tl::make_unexpected(original.error());
-  auto compile =
-      edited ? compileCommandOf(source, paths.build, attempted) : tl::make_unexpected(edited.error());
-  if (!compile) {
-    return tl::make_unexpected(compile.error());
+  const auto compiled = edited ? unitOf(source, paths.build, attempted) : tl::make_unexpected(edited.error());
+  const auto changed = compiled ? writeSource(*edited, source, *compiled, folder)
+                                : Expected<fs::path>(tl::make_unexpected(compiled.error()));
+  if (!changed) {
+    return tl::make_unexpected(changed.error());
   }
-  const fs::path changed = folder / source.filename();
-  const std::string object = changed.string() + ".o";
+  const std::string object = changed->string() + ".o";
   const std::string target = "bin/test_" + roomOf(mutant);
   const fs::path program = folder / ("test_" + roomOf(mutant));
-  auto done = writeFileAtomically(changed, *edited);
-  *compile += fmt::format(" -o {} -c {}", object, changed.string());
-  done = done ? runShell(*compile, paths.build, folder / "compile.log", attempted, mutant.where) : done;
+  const std::string compile = fmt::format("{} -o {} -c {}", compiled->command, object, changed->string());
+  auto done = runShell(compile, paths.build, folder / "compile.log", attempted, mutant.where);
   auto link = done ? linkCommandOf(target, paths.build, folder / "link.txt", attempted)
                    : Expected<std::string>(tl::make_unexpected(done.error()));
   if (!link) {
