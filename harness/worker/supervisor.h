@@ -37,7 +37,7 @@ struct WorkerOptions {
 // its next one: a driver keeps the code of every shader that it was ever given, and what it frees of a scene
 // does not all go back.
 inline constexpr std::int64_t kRenewAboveBytes = std::int64_t{384} << 20;
-inline constexpr std::int64_t kRenewGrownBytes = std::int64_t{128} << 20;
+inline constexpr std::int64_t kRenewGrownBytes = std::int64_t{96} << 20;
 
 // One device's worker. It is started at the first call, and again after a death, a rest, or when it has
 // grown. Different Workers may be used from different threads at once; one Worker from one thread at a time.
