@@ -27,8 +27,10 @@ layout(location = 1) out float weight_sum_next;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  reflected_sum_next = sample_index > 0 ? texelFetch(reflected_sum, texel, 0) : vec4(0.0);
-  weight_sum_next = sample_index > 0 ? texelFetch(weight_sum, texel, 0).x : 0.0;
+  vec4 reflected_before = texelFetch(reflected_sum, texel, 0);
+  float weight_before = texelFetch(weight_sum, texel, 0).x;
+  reflected_sum_next = sample_index > 0 ? reflected_before : vec4(0.0);
+  weight_sum_next = sample_index > 0 ? weight_before : 0.0;
   vec4 surface = texelFetch(material, texel, 0);
   if (surface.b == 0.0 || isinf(texelFetch(dist_view, texel, 0).x)) {
     return;

@@ -14,7 +14,8 @@ layout(location = 0) out vec4 reflected_sum_next;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec4 before = sample_index > 0 ? texelFetch(reflected_sum, texel, 0) : vec4(0.0);
+  vec4 before = texelFetch(reflected_sum, texel, 0);
+  before = sample_index > 0 ? before : vec4(0.0);
   ivec2 hit = texelFetch(hit_texel, texel, 0).xy;
   reflected_sum_next = before + (hit.x >= 0 ? vec4(texelFetch(lit, hit, 0).rgb, 1.0) : vec4(0.0));
 }

@@ -46,6 +46,7 @@ vec4 sampled_radiance(ivec2 texel) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec4 before = sample_index > 0 ? texelFetch(reflected_sum, texel, 0) : vec4(0.0);
+  vec4 before = texelFetch(reflected_sum, texel, 0);
+  before = sample_index > 0 ? before : vec4(0.0);
   reflected_sum_next = before + sampled_radiance(texel);
 }

@@ -8,7 +8,8 @@ void main() {
   Ray ray;
   RayHit hit;
   if (trace_begin(ray, hit)) {
-    hit = stride_px > 1.0 ? march_dda_strided(ray, trace_parameters()) : march_dda(ray, trace_parameters());
+    TraceParameters parameters = trace_parameters();
+    hit = parameters.stride_px > 1.0 ? march_dda_strided(ray, parameters) : march_dda(ray, parameters);
   }
   trace_end(hit);
 }

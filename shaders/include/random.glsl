@@ -59,10 +59,10 @@ vec2 rotated(vec2 point, vec2 by) {
 
 // Sample `index` of the `count` of a pixel; mask is its texel of the mask of blue noise.
 vec2 pixel_point(ivec2 texel, int index, int count, int point_set, vec2 mask) {
-  if (point_set == POINTS_WHITE) {
-    return white_noise(texel, index).xy;
-  }
-  return rotated(hammersley(index, count), point_set == POINTS_HAMMERSLEY ? white_noise(texel, 0).xy : mask);
+  vec2 white = white_noise(texel, index).xy;
+  vec2 own_turn = white_noise(texel, 0).xy;
+  vec2 regular = rotated(hammersley(index, count), point_set == POINTS_HAMMERSLEY ? own_turn : mask);
+  return point_set == POINTS_WHITE ? white : regular;
 }
 
 #endif

@@ -21,13 +21,10 @@ RayHit march_dda(Ray ray, TraceParameters parameters) {
   // an unbiased ray cannot leave its own texel sideways, or with it where the bias moved the origin.
   vec2 column_edge = floor(ray.origin_px) + far_edge;
   float s_column_in = ordered_dot(ray_s_at_edges(ray, column_edge), primary);
-  if (parameters.origin_bias > 0.0) {
-    column_edge -= direction;
-    s_column_in = 0.0;
-  }
-  if (parameters.jitter > 0.0) {
-    column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5));
-  }
+  bool is_biased = parameters.origin_bias > 0.0;
+  column_edge -= is_biased ? direction : vec2(0.0);
+  s_column_in = is_biased ? 0.0 : s_column_in;
+  column_edge -= direction * (parameters.jitter * dither_noise(ray.own_texel + 0.5));
   vec2 half_texel = (1.0 - primary) * 0.5;
   float s_half_column = 0.5 * abs(ordered_dot(ray.s_per_px, primary));
   float s_in = 0.0;

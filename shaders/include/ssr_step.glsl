@@ -42,7 +42,7 @@ float march_step_m(float t_end_m, TraceParameters parameters) {
 
 // How far the samples of this pixel are moved back: up to jitter steps, by dither noise. In the unit of `step`.
 float march_offset(Ray ray, float step, TraceParameters parameters) {
-  return parameters.jitter > 0.0 ? parameters.jitter * dither_noise(ray.own_texel + 0.5) * step : 0.0;
+  return parameters.jitter * dither_noise(ray.own_texel + 0.5) * step;
 }
 
 #endif

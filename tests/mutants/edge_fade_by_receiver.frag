@@ -46,7 +46,7 @@ void main() {
   confidence *= distance_fade(point.z, min(max_distance_m, fade_distance_m));
   confidence *= facing_fade(dir_view.z, facing_fade_start, facing_fade_end);
   confidence *= budget_fade(float(textureLod(ray_work, uv, 0.0).y), min(float(lookup_budget), fade_lookups));
-  if (rejects_back_faces != 0) {
+  if (rejects_back_faces != 0 && confidence > 0.0) {
     confidence *= back_face_weight(texelFetch(normal_view, hit, 0).xyz, dir_view);
   }
   reflection_weighed = vec4(found.rgb, found.a * confidence);

@@ -41,9 +41,11 @@ float load_previous_dist_view(ivec2 texel) { return textureLod(previous_dist_vie
 #include "history_taps.glsl"
 
 // Premultiplied, so that what was hit and what was not can be averaged.
-vec4 premultiplied(vec4 colour) { return is_straight_alpha != 0 ? vec4(colour.rgb * colour.a, colour.a) : colour; }
+float weight_of(vec4 colour) { return is_straight_alpha != 0 ? colour.a : 1.0; }
+vec4 premultiplied(vec4 colour) { return vec4(colour.rgb * weight_of(colour), colour.a); }
 vec4 straight(vec4 colour) {
-  return is_straight_alpha == 0 ? colour : colour.a > 0.0 ? vec4(colour.rgb / colour.a, colour.a) : vec4(0.0);
+  float weight = weight_of(colour);
+  return weight > 0.0 ? vec4(colour.rgb / weight, colour.a) : vec4(0.0);
 }
 
 vec4 previous_reflection(ivec2 texel) { return premultiplied(textureLod(previous_accumulated, uv_of(texel), 0.0)); }
