@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/background.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "check/read_expectations.h"
@@ -123,7 +124,7 @@ void collect(const SceneRun& run, const std::vector<RunRow>& rows, Findings& fin
   report.checks.insert(report.checks.end(), run.checks.begin(), run.checks.end());
 }
 
-// Runs scene after scene; the files of one are written while the next one is traced.
+// Runs scene after scene; the files of one are written where the next one's drawing leaves a core idle.
 Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<SceneSource>& scenes,
                          const RunOptions& options, Findings& findings) {
   std::future<Expected<void>> writing;
@@ -140,10 +141,14 @@ Expected<void> runScenes(Suite& suite, const TestFile& test, const std::vector<S
     if (auto written = finishWriting(); !written) {
       return written;
     }
-    writing = std::async(std::launch::async,
-                         [run = std::move(run), rows = std::move(rows), out = options.out]() mutable {
-                           return writeSceneFiles(out, std::move(run), rows);
-                         });
+    const bool is_last = &source == &scenes.back();
+    writing = std::async(std::launch::async, [is_last, run = std::move(run), rows = std::move(rows),
+                                              out = options.out]() mutable {
+      if (!is_last) {
+        workInBackground();
+      }
+      return writeSceneFiles(out, std::move(run), rows);
+    });
   }
   return finishWriting();
 }
