@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/share_out.h"
 #include "base/size.h"
 #include "check/evaluate.h"
 
@@ -57,6 +58,13 @@ CheckResult missing(const TestFile& test, const Expectation& expectation, const 
   return result;
 }
 
+// What one answer is asked, and the place of the verdict among all.
+struct Asked {
+  std::size_t place = 0;
+  const Expectation* expectation = nullptr;
+  Subject subject;
+};
+
 }  // namespace
 
 bool isAskedOf(const TestFile& test, const Expectation& expectation, const Answer& answer) {
@@ -78,14 +86,16 @@ std::vector<CheckResult> judge(const TestFile& test, const std::string& scene,
                                const std::function<std::string(const Answer&)>& repro,
                                const GoldenLookup& golden) {
   std::vector<CheckResult> results;
+  std::vector<Asked> asked;
   for (const Expectation& expectation : test.expectations) {
     const std::size_t before = results.size();
     for (const Answer& answer : answers) {
       if (isAskedOf(test, expectation, answer)) {
         const bool wants_golden = expectation.truth.kind == TruthKind::kGolden && golden;
         const Answer* const blessed = wants_golden ? golden(expectation, answer) : nullptr;
-        results.push_back(
-            evaluate(expectation, Subject{test.id, scene, &answer, answers, repro(answer), blessed}));
+        asked.push_back({results.size(), &expectation,
+                         Subject{test.id, scene, &answer, answers, repro(answer), blessed}});
+        results.emplace_back();
       }
     }
     // One that is asked of some devices only is not missed on the others.
@@ -97,6 +107,10 @@ std::vector<CheckResult> judge(const TestFile& test, const std::string& scene,
       results.push_back(missing(test, expectation, scene));
     }
   }
+  forEachInParallel(static_cast<int>(asked.size()), 0, [&](int i) {
+    const Asked& one = asked[static_cast<std::size_t>(i)];
+    results[one.place] = evaluate(*one.expectation, one.subject);
+  });
   return results;
 }
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/check.h"
+#include "base/share_out.h"
 #include "check/ray_bits.h"
 
 namespace ssrkit {
@@ -153,6 +157,7 @@ LedgerEntry compareForLedger(const RayRecord& a, const RayRecord& b) {
 }
 
 void addToLedger(std::span<const Answer> answers, const std::set<std::string>& half_buffers, Ledger& ledger) {
+  std::vector<std::pair<LedgerKey, std::function<LedgerEntry()>>> comparisons;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     for (std::size_t j = i + 1; j < answers.size(); ++j) {
       const Answer& a = answers[i];
@@ -163,7 +168,7 @@ void addToLedger(std::span<const Answer> answers, const std::set<std::string>& h
       LedgerKey key{
           .device = a.device, .other = b.device, .input = a.input, .stage = a.stage, .buffer = "hit"};
       if (a.record != nullptr && b.record != nullptr && a.record->size == b.record->size) {
-        ledger[key] += compareForLedger(*a.record, *b.record);
+        comparisons.emplace_back(key, [&a, &b] { return compareForLedger(*a.record, *b.record); });
       }
       for (const auto& [buffer, image] : a.images) {
         const auto twin = b.images.find(buffer);
@@ -173,10 +178,20 @@ void addToLedger(std::span<const Answer> answers, const std::set<std::string>& h
           key.buffer = buffer;
           const FloatFormat format =
               half_buffers.contains(buffer) ? FloatFormat::kHalf : FloatFormat::kSingle;
-          ledger[key] += compareForLedger(*image, *twin->second, format);
+          comparisons.emplace_back(key, [image = image, other = twin->second, format] {
+            return compareForLedger(*image, *other, format);
+          });
         }
       }
     }
+  }
+  std::vector<LedgerEntry> entries(comparisons.size());
+  forEachInParallel(static_cast<int>(comparisons.size()), 0, [&](int i) {
+    const auto place = static_cast<std::size_t>(i);
+    entries[place] = comparisons[place].second();
+  });
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    ledger[comparisons[i].first] += entries[i];
   }
 }
 
