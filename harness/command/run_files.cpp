@@ -7,11 +7,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/share_out.h"
 #include "check/geometry_image.h"
 #include "command/parameters_file.h"
 #include "command/run_sheet.h"
@@ -30,32 +30,24 @@ namespace {
 
 using Write = std::function<Expected<void>()>;
 
-// Runs the writes on so many threads; the first error is the answer, and no further write is started after
-// it.
-Expected<void> writeAll(const std::vector<Write>& writes, unsigned thread_count) {
-  std::size_t next = 0;
+// Runs the writes in so many lanes; the first error is the answer, and no further write is started after it.
+Expected<void> writeAll(const std::vector<Write>& writes, int lane_count) {
   std::optional<Error> failure;
   std::mutex mutex;
-  const auto work = [&] {
-    while (true) {
-      std::unique_lock lock(mutex);
-      if (failure || next == writes.size()) {
+  forEachInParallel(static_cast<int>(writes.size()), lane_count, [&](int i) {
+    {
+      const std::lock_guard lock(mutex);
+      if (failure) {
         return;
       }
-      const Write& write = writes[next++];
-      lock.unlock();
-      if (auto written = write(); !written) {
-        lock.lock();
+    }
+    if (auto written = writes[static_cast<std::size_t>(i)](); !written) {
+      const std::lock_guard lock(mutex);
+      if (!failure) {
         failure = std::move(written.error());
       }
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < thread_count; ++i) {
-      threads.emplace_back(work);
-    }
-  }
+  });
   return failure ? Expected<void>(tl::make_unexpected(std::move(*failure))) : Expected<void>{};
 }
 
@@ -178,9 +170,9 @@ Expected<void> writeSceneFiles(const std::filesystem::path& folder, SceneRun run
     }
   }
   // What is written of a large frame takes as much memory again, file by file.
-  const unsigned thread_count = is_large ? 1U : std::max(1U, std::thread::hardware_concurrency());
-  auto written = writeAll(writes.of_several, thread_count);
-  return written ? writeAll(writes.of_one, thread_count) : written;
+  const int lane_count = is_large ? 1 : 0;
+  auto written = writeAll(writes.of_several, lane_count);
+  return written ? writeAll(writes.of_one, lane_count) : written;
 }
 
 }  // namespace ssrkit

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <ctime>
-#include <thread>
 
 #include "base/check.h"
+#include "base/share_out.h"
 #include "native/depth_pyramid.h"
 #include "native/hiz_kernel.h"
 
@@ -132,17 +131,9 @@ NativeTime between(const NativeTime& begin, const NativeTime& end) {
 
 void traceAll(const HizKernel& kernel, const HizScene& scene, const OracleInput& input, int thread_count,
               RayRecord& record) {
-  std::atomic<int> next_row = 0;
-  std::vector<std::jthread> threads;
-  threads.reserve(static_cast<std::size_t>(thread_count));
-  for (int i = 0; i < thread_count; ++i) {
-    threads.emplace_back([&] {
-      for (int row = next_row.fetch_add(kRowsAtOnce); row < scene.height;
-           row = next_row.fetch_add(kRowsAtOnce)) {
-        traceRows(kernel, scene, input, row, record);
-      }
-    });
-  }
+  const int pieces = (scene.height + kRowsAtOnce - 1) / kRowsAtOnce;
+  forEachInParallel(pieces, thread_count,
+                    [&](int piece) { traceRows(kernel, scene, input, piece * kRowsAtOnce, record); });
 }
 
 }  // namespace
