@@ -17,8 +17,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kSchema = "ssrkit-cell";
-constexpr int kVersion = 3;
+constexpr const char* kCellSchema = "ssrkit-cell";
+constexpr int kCellVersion = 3;
 
 constexpr int kHexadecimal = 16;
 
@@ -172,8 +172,8 @@ std::string toJson(const CellRecord& record) {
   for (const CheckResult& check : record.checks) {
     checks.push_back(checkJson(check));
   }
-  const Json json = {{"schema", kSchema},
-                     {"schema_version", kVersion},
+  const Json json = {{"schema", kCellSchema},
+                     {"schema_version", kCellVersion},
                      {"id", record.id},
                      {"inputs", record.inputs},
                      {"outcome", name(outcomeOf(record))},
@@ -185,7 +185,7 @@ std::string toJson(const CellRecord& record) {
 }
 
 Expected<CellRecord> readCellRecord(std::string_view json, const std::string& file) {
-  return readJsonObject(json, file, kSchema, kVersion, [](const JsonFields& fields) {
+  return readJsonObject(json, file, kCellSchema, kCellVersion, [](const JsonFields& fields) {
     CellRecord record;
     record.id = fields.text("id");
     record.inputs = fields.text("inputs");

@@ -10,8 +10,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kSchema = "ssrkit-conform-plan";
-constexpr int kVersion = 1;
+constexpr const char* kPlanSchema = "ssrkit-conform-plan";
+constexpr int kPlanVersion = 1;
 
 DeviceRow deviceFrom(const JsonFields& fields) {
   const JsonFields traits = fields.object("traits");
@@ -43,8 +43,8 @@ std::string toJson(const Manifest& manifest) {
   for (std::size_t i = 0; i < manifest.cells.size(); ++i) {
     cells.push_back({{"id", manifest.cells[i]}, {"shard", manifest.shard_of_cell[i]}});
   }
-  const Json json = {{"schema", kSchema},
-                     {"schema_version", kVersion},
+  const Json json = {{"schema", kPlanSchema},
+                     {"schema_version", kPlanVersion},
                      {"kit_version", manifest.kit_version},
                      {"started", manifest.started},
                      {"command", manifest.command},
@@ -56,7 +56,7 @@ std::string toJson(const Manifest& manifest) {
 }
 
 Expected<Manifest> readManifest(std::string_view json, const std::string& file) {
-  return readJsonObject(json, file, kSchema, kVersion, [](const JsonFields& fields) {
+  return readJsonObject(json, file, kPlanSchema, kPlanVersion, [](const JsonFields& fields) {
     Manifest manifest;
     manifest.kit_version = fields.text("kit_version");
     manifest.started = fields.text("started");

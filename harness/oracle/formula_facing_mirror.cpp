@@ -5,13 +5,13 @@ namespace ssrkit {
 
 namespace {
 
-constexpr double kMirrorDist = 4.0;
+constexpr double kFacingMirrorDist = 4.0;
 
 }  // namespace
 
 ExpectedRay expectedM2(Size size, const TraceParameters& parameters, int x, int y) {
-  const double contact_px = contactRowPx(size, kMirrorDist);
-  if (looksPastWall(size, x, kMirrorDist)) {
+  const double contact_px = contactRowPx(size, kFacingMirrorDist);
+  if (looksPastWall(size, x, kFacingMirrorDist)) {
     return undecided("the column lies beyond the scene's sides");
   }
   if (isCentreNear(y + 0.5, contact_px)) {
@@ -29,8 +29,8 @@ ExpectedRay expectedM2(Size size, const TraceParameters& parameters, int x, int 
                          .direction = 1,
                          .v_origin = x + 0.5,
                          .v_per_u = -ndcX(size, x) / ndc_y * size.width / size.height,
-                         .inv_dist_origin = 1.0 / kMirrorDist,
-                         .inv_dist_per_u = 1.0 / (size.height * kMirrorDist * -ndc_y)};
+                         .inv_dist_origin = 1.0 / kFacingMirrorDist,
+                         .inv_dist_per_u = 1.0 / (size.height * kFacingMirrorDist * -ndc_y)};
   const Strip floor = withThickness({.first = firstAfter(contact_px),
                                      .last = size.height - 1,
                                      .inv_dist_zero = -1.0 / (kEyeHeight * kFocal),

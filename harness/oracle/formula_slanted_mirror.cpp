@@ -7,8 +7,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr double kMirrorDist = 4.0;  // on the camera's axis
-constexpr double kSlantLeft = -1.0;  // x of the mirror's edges
+constexpr double kSlantAxisDist = 4.0;  // on the camera's axis
+constexpr double kSlantLeft = -1.0;     // x of the mirror's edges
 constexpr double kSlantRight = 0.75;
 constexpr double kSlantHalfHeight = 1.0;
 constexpr double kSideWallX = 1.0;
@@ -16,10 +16,10 @@ constexpr double kBackWallDist = 10.0;
 
 // The slanted mirror x + z = -D is seen at dist_view D / (1 - tangent).
 double slantDist(double tangent) {
-  return kMirrorDist / (1.0 - tangent);
+  return kSlantAxisDist / (1.0 - tangent);
 }
 double slantPx(Size size, double slant_x) {
-  return pxXOfTangent(size, slant_x / (kMirrorDist + slant_x));
+  return pxXOfTangent(size, slant_x / (kSlantAxisDist + slant_x));
 }
 
 // What m4 says before any ray: nothing for a ray that is walked.

@@ -16,24 +16,24 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kAttempted = "trace the oracle's rays";
+constexpr const char* kAttemptedTrace = "trace the oracle's rays";
 
 Expected<void> checkImage(const Image& image, std::string_view image_name, Size size,
                           std::size_t least_channels, std::size_t most_channels) {
   if (image.size != size) {
-    return inputError(kAttempted, fmt::format("{} is {} and the camera is {}", image_name,
-                                              sizeText(image.size), sizeText(size)));
+    return inputError(kAttemptedTrace, fmt::format("{} is {} and the camera is {}", image_name,
+                                                   sizeText(image.size), sizeText(size)));
   }
   const std::size_t channels = image.channelCount();
   if (channels < least_channels || channels > most_channels) {
     return inputError(
-        kAttempted,
+        kAttemptedTrace,
         fmt::format("{} has {} channels, expected {}{}", image_name, channels, least_channels,
                     least_channels == most_channels ? std::string() : fmt::format(" to {}", most_channels)));
   }
   if (image.data.size() != image.texelCount() * channels) {
-    return inputError(kAttempted, fmt::format("{} holds {} numbers, expected {}", image_name,
-                                              image.data.size(), image.texelCount() * channels));
+    return inputError(kAttemptedTrace, fmt::format("{} holds {} numbers, expected {}", image_name,
+                                                   image.data.size(), image.texelCount() * channels));
   }
   return {};
 }
@@ -77,7 +77,7 @@ Expected<void> checkInput(const OracleInput& input) {
   SSRKIT_CHECK(input.dist_view != nullptr);
   SSRKIT_CHECK(input.normal_view != nullptr);
   const Size size = input.camera->size;
-  return validate(*input.camera, kAttempted)
+  return validate(*input.camera, kAttemptedTrace)
       .and_then([&] { return checkImage(*input.dist_view, "dist_view", size, 1, 1); })
       .and_then([&] { return checkImage(*input.normal_view, "normal_view", size, 3, 4); })
       .and_then([&] {

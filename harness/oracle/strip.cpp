@@ -39,7 +39,7 @@ double margin(const LineInImage& line, const Strip& strip, int row) {
   return kMarginRelative * std::abs(stripInvDist(strip, row)) + kMarginPx * std::abs(line.inv_dist_per_u);
 }
 
-StripAnswer undecided(const char* why) {
+StripAnswer undecidedStrip(const char* why) {
   return {.kind = StripAnswer::Kind::kUndecided, .why = why};
 }
 
@@ -53,11 +53,11 @@ StripAnswer hitInRow(const LineInImage& line, const Strip& strip, int row) {
   const double inv_dist_back = 1.0 / dist_back;
   const double clearance = std::max(inv_dist_in, inv_dist_out) - inv_dist_back;
   if (std::abs(clearance) <= margin(line, strip, row) && std::isfinite(dist_back)) {
-    return undecided(kThicknessTie);
+    return undecidedStrip(kThicknessTie);
   }
   if (clearance <= 0.0) {
     const bool moves_on_behind = strip.inv_dist_per_row == 0.0 && inv_dist_out <= inv_dist_in;
-    return moves_on_behind ? StripAnswer{} : undecided(kThinColumn);
+    return moves_on_behind ? StripAnswer{} : undecidedStrip(kThinColumn);
   }
   StripAnswer answer{.kind = StripAnswer::Kind::kHit, .row = row, .u_hit = u_in};
   if (inv_dist_in > inv_dist_front) {
@@ -80,7 +80,7 @@ StripAnswer firstHit(const LineInImage& line, const Strip& strip) {
   int rows_on = 0;
   if (at_first < 0.0) {
     if (per_row <= 0.0) {
-      return at_first < -margin(line, strip, strip.first) ? StripAnswer{} : undecided(kRowTie);
+      return at_first < -margin(line, strip, strip.first) ? StripAnswer{} : undecidedStrip(kRowTie);
     }
     rows_on = static_cast<int>(std::clamp(std::ceil(-at_first / per_row), 0.0, 1.0 * count));
   }
@@ -89,7 +89,7 @@ StripAnswer firstHit(const LineInImage& line, const Strip& strip) {
       rows_on > 0 && reach(line, strip, row - line.direction) > -margin(line, strip, row - line.direction);
   const bool ties_here = rows_on < count && reach(line, strip, row) < margin(line, strip, row);
   if (ties_before || ties_here) {
-    return undecided(kRowTie);
+    return undecidedStrip(kRowTie);
   }
   return rows_on < count ? hitInRow(line, strip, row) : StripAnswer{};
 }

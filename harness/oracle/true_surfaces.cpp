@@ -13,24 +13,16 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kAttempted = "find what the reflected rays truly meet";
+constexpr const char* kAttemptedSearch = "find what the reflected rays truly meet";
 
-struct ReleaseDevice {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct ReleaseScene {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
 struct ReleaseGeometry {
   void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
-using DeviceHandle = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
-using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 
 tl::unexpected<Error> embreeError(RTCError code) {
   const bool is_memory = code == RTC_ERROR_OUT_OF_MEMORY;
-  return setupError(kAttempted,
+  return setupError(kAttemptedSearch,
                     is_memory ? "there is not enough memory for the triangles' hierarchy"
                               : fmt::format("Embree failed with error {}", static_cast<int>(code)),
                     "", is_memory ? "" : "check the installation of the package libembree3-3");
@@ -43,10 +35,17 @@ struct Query : RTCIntersectContext {
 }  // namespace
 
 struct TrueSurfaces::Impl {
+  struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  };
+  struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+
   DrawnTriangles triangles;
   // In this order: handles are released in the opposite one.
-  DeviceHandle device;
-  SceneHandle scene;
+  std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;
+  std::unique_ptr<RTCSceneTy, ReleaseScene> scene;
 
   explicit Impl(DrawnTriangles drawn) : triangles(std::move(drawn)) {}
   Expected<void> commit();

@@ -3,49 +3,51 @@
 #include <algorithm>
 
 #include "report/bench_svg.h"
+#include "report/drawing_width.h"
 #include "report/html_text.h"
+#include "report/milliseconds.h"
 #include "report/table_text.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr double kMsPerNs = 1e-6;
-constexpr double kLabelWidth = 300.0;
-constexpr double kBarWidth = 480.0;
-constexpr double kWidth = 900.0;
-constexpr double kRowHeight = 20.0;
-constexpr double kHeader = 26.0;
+constexpr double kPassLabelWidth = 300.0;
+constexpr double kPassBarWidth = 480.0;
+constexpr double kPassRowHeight = 20.0;
+constexpr double kPassHeaderHeight = 26.0;
 constexpr const char* kTrace = "#0072b2";  // Okabe and Ito's colours, as in every picture of the kit
 constexpr const char* kOther = "#56b4e9";
 constexpr const char* kRoofline = "#e69f00";
 
-const char* colourOf(const BenchSeries& series) {
+const char* passColour(const BenchSeries& series) {
   return series.pass == "trace" ? kTrace : series.pass.starts_with("bench_") ? kRoofline : kOther;
 }
 
-std::string barOf(const BenchSeries& series, double y, double scale_ms) {
+std::string passBar(const BenchSeries& series, double y, double scale_ms) {
   const double median = medianNs(series.steady, &PassTime::cpu_ns) * kMsPerNs;
-  const auto x = [&](double ms) { return kLabelWidth + kBarWidth * std::clamp(ms / scale_ms, 0.0, 1.0); };
+  const auto x = [&](double ms) {
+    return kPassLabelWidth + kPassBarWidth * std::clamp(ms / scale_ms, 0.0, 1.0);
+  };
   const std::string label =
       series.stage.empty() ? series.pass : series.stage + " " + series.case_name + " " + series.pass;
   std::string text = fmt::format(
       "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" "
       "height=\"13\" "
       "fill=\"{}\"/>",
-      kLabelWidth - 8, y + 13, htmlText(label), kLabelWidth, y + 2, std::max(1.0, x(median) - kLabelWidth),
-      colourOf(series));
+      kPassLabelWidth - 8, y + 13, htmlText(label), kPassLabelWidth, y + 2,
+      std::max(1.0, x(median) - kPassLabelWidth), passColour(series));
   if (const auto interval = cpuMsInterval(series)) {
     text +=
         fmt::format("<path d=\"M{:.1f} {}V{}M{:.1f} {}H{:.1f}M{:.1f} {}V{}\" stroke=\"#000\" fill=\"none\"/>",
                     x(interval->low), y + 5, y + 12, x(interval->low), y + 8.5, x(interval->high),
                     x(interval->high), y + 5, y + 12);
   }
-  return text + fmt::format("<text x=\"{}\" y=\"{}\">{} ms</text>\n", kLabelWidth + kBarWidth + 10, y + 13,
-                            measureText(median));
+  return text + fmt::format("<text x=\"{}\" y=\"{}\">{} ms</text>\n", kPassLabelWidth + kPassBarWidth + 10,
+                            y + 13, measureText(median));
 }
 
-std::string drawingOf(const std::vector<const BenchSeries*>& group) {
+std::string passesDrawing(const std::vector<const BenchSeries*>& group) {
   double scale_ms = 0.0;
   for (const BenchSeries* series : group) {
     const auto interval = cpuMsInterval(*series);
@@ -58,13 +60,13 @@ std::string drawingOf(const std::vector<const BenchSeries*>& group) {
       "<text x=\"0\" y=\"15\" font-weight=\"bold\">{}</text>\n",
       htmlText(fmt::format("{} {}x{} on {}: CPU time, median of {} rounds", first.scene, first.size.width,
                            first.size.height, first.device, first.steady.size())));
-  double y = kHeader;
+  double y = kPassHeaderHeight;
   for (const BenchSeries* series : group) {
-    text += barOf(*series, y, scale_ms);
-    y += kRowHeight;
+    text += passBar(*series, y, scale_ms);
+    y += kPassRowHeight;
   }
-  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}</svg>\n", kWidth, y + 4, kWidth,
-                     text);
+  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}</svg>\n", kDrawingWidth, y + 4,
+                     kDrawingWidth, text);
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ std::vector<std::string> benchBars(const BenchReport& report) {
     }
   }
   std::vector<std::string> drawings;
-  std::ranges::transform(groups, std::back_inserter(drawings), drawingOf);
+  std::ranges::transform(groups, std::back_inserter(drawings), passesDrawing);
   return drawings;
 }
 

@@ -9,14 +9,14 @@ namespace ssrkit {
 
 namespace {
 
-bool isSame(const BenchSeries& a, const BenchSeries& b) {
+bool isSameSeries(const BenchSeries& a, const BenchSeries& b) {
   return a.scene == b.scene && a.device == b.device && a.stage == b.stage && a.case_name == b.case_name &&
          a.size == b.size && a.pass == b.pass;
 }
 
-const BenchSeries* find(std::span<const BenchSeries> all, const BenchSeries& wanted) {
+const BenchSeries* findSeries(std::span<const BenchSeries> all, const BenchSeries& wanted) {
   const auto found =
-      std::ranges::find_if(all, [&](const BenchSeries& series) { return isSame(series, wanted); });
+      std::ranges::find_if(all, [&](const BenchSeries& series) { return isSameSeries(series, wanted); });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -42,7 +42,7 @@ BenchUncompared uncompared(BenchSeries series, std::string why) {
   return {std::move(series), std::move(why)};
 }
 
-std::vector<double> cpuOf(const BenchSeries& series) {
+std::vector<double> cpuTimes(const BenchSeries& series) {
   std::vector<double> values;
   for (const PassTime& time : series.steady) {
     values.push_back(static_cast<double>(time.cpu_ns));
@@ -55,17 +55,17 @@ std::vector<double> cpuOf(const BenchSeries& series) {
 BenchComparison compareSeries(const std::vector<BenchSeries>& now, std::span<const BenchSeries> then) {
   BenchComparison comparison;
   for (const BenchSeries& series : now) {
-    const BenchSeries* const former = find(then, series);
+    const BenchSeries* const former = findSeries(then, series);
     const std::string why = former == nullptr ? "only in this run" : otherParameters(series, *former);
     if (!why.empty()) {
       comparison.uncompared.push_back(uncompared(series, why));
       continue;
     }
-    const auto ratio = unpairedRatio(cpuOf(series), cpuOf(*former));
+    const auto ratio = unpairedRatio(cpuTimes(series), cpuTimes(*former));
     comparison.changes.push_back({.series = &series, .ratio = ratio, .move = moveOf(ratio, kBenchMargin)});
   }
   for (const BenchSeries& former : then) {
-    if (find(now, former) == nullptr) {
+    if (findSeries(now, former) == nullptr) {
       comparison.uncompared.push_back(uncompared(former, "only in the baseline"));
     }
   }

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "report/bench_report.h"
+#include "report/milliseconds.h"
 
 namespace ssrkit {
 
 namespace {
-
-constexpr double kMsPerNs = 1e-6;
 
 // Scenes may be anybody's files: quoted where the name would break the line (RFC 4180).
 std::string csvText(const std::string& text) {

@@ -9,7 +9,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kBenchStyle = R"(
 body { font: 16px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1a1a1a; }
 pre { font-family: ui-monospace, monospace; font-size: .8rem; background: #f4f4f4; padding: .7rem; overflow-x: auto; }
 svg { max-width: 100%; height: auto; margin: .8rem 0; } svg text { font-family: ui-monospace, monospace; font-size: 12px; fill: #1a1a1a; }
@@ -24,7 +24,7 @@ std::string benchHtml(const BenchReport& report) {
       "content=\"width=device-width\">\n<title>What screen-space reflections "
       "cost</title><style>{}</style></head>\n"
       "<body><h1>What screen-space reflections cost</h1>\n<p class=\"quiet\">{}, {} cores, {}</p>\n",
-      kStyle, htmlText(report.machine.cpu), report.machine.core_count, htmlText(report.started));
+      kBenchStyle, htmlText(report.machine.cpu), report.machine.core_count, htmlText(report.started));
   for (const DeviceRow& device : report.devices) {
     text += fmt::format("<p class=\"quiet\">{}: {} {}</p>\n", htmlText(device.identity.id),
                         htmlText(device.identity.driver), htmlText(device.identity.version));

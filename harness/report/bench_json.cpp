@@ -18,7 +18,7 @@ Json keyOf(const BenchSeries& series) {
           {"stage", series.stage}, {"case", series.case_name}, {"pass", series.pass}};
 }
 
-Json seriesOf(const BenchSeries& series, const BenchReport& report) {
+Json seriesJson(const BenchSeries& series, const BenchReport& report) {
   Json json = keyOf(series);
   json["parameters"] = series.parameters ? parametersOf(*series.parameters) : Json(nullptr);
   json["rays"] = series.rays;
@@ -125,7 +125,7 @@ std::string benchJson(const BenchReport& report) {
       {"machine", {{"cpu", report.machine.cpu}, {"core_count", report.machine.core_count}}},
       {"devices", listOf(report.devices, deviceOf)},
       {"starts", listOf(report.starts, startOf)},
-      {"series", listOf(report.series, [&](const BenchSeries& one) { return seriesOf(one, report); })},
+      {"series", listOf(report.series, [&](const BenchSeries& one) { return seriesJson(one, report); })},
       {"over_natives", listOf(report.over_natives, overNativeOf)},
       {"answers", listOf(report.answers, answerOf)},
       {"scaling", listOf(report.scalings, scalingOf)},

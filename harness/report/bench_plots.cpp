@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "report/bench_svg.h"
+#include "report/drawing_width.h"
 #include "report/html_text.h"
 #include "report/table_text.h"
 
@@ -13,16 +14,15 @@ namespace ssrkit {
 
 namespace {
 
-constexpr double kWidth = 900.0;
 constexpr double kHeight = 380.0;
 constexpr double kLeft = 70.0;
 constexpr double kRight = 560.0;  // beyond it stands the legend
 constexpr double kTop = 30.0;
 constexpr double kBottom = 335.0;
-constexpr std::array<const char*, 7> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                 "#e69f00", "#56b4e9", "#000000"};
+constexpr std::array<const char*, 7> kCurveColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                      "#e69f00", "#56b4e9", "#000000"};
 
-using Group = std::vector<const BenchScaling*>;
+using ScalingGroup = std::vector<const BenchScaling*>;
 
 // One logarithmic axis: values to places on the drawing.
 struct LogScale {
@@ -36,7 +36,7 @@ struct LogScale {
   }
 };
 
-LogScale scaleOf(const Group& group, double BenchScalingPoint::*value, double from, double to) {
+LogScale logScaleOf(const ScalingGroup& group, double BenchScalingPoint::*value, double from, double to) {
   double low = std::numeric_limits<double>::infinity();
   double high = 0.0;
   for (const BenchScaling* scaling : group) {
@@ -109,7 +109,7 @@ std::string curveOf(const BenchScaling& scaling, const char* colour, const LogSc
   return text + "\n";
 }
 
-std::string legendOf(const Group& group) {
+std::string curveLegend(const ScalingGroup& group) {
   std::string text;
   double y = kTop + 12;
   for (std::size_t i = 0; i < group.size(); ++i) {
@@ -118,36 +118,36 @@ std::string legendOf(const Group& group) {
                                                        scaling.time->standard_error)
                                          : "no fit";
     text += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>",
-                        kRight + 20, y - 4, kColours.at(i % kColours.size()), kRight + 30, y,
+                        kRight + 20, y - 4, kCurveColours.at(i % kCurveColours.size()), kRight + 30, y,
                         htmlText(fmt::format("{}: {}", scaling.stage, law)));
     y += 18;
   }
   return text;
 }
 
-std::string drawingOf(const Group& group) {
-  const LogScale x = scaleOf(group, &BenchScalingPoint::x, kLeft, kRight);
-  const LogScale y = scaleOf(group, &BenchScalingPoint::ns_per_ray, kBottom, kTop);
+std::string curvesDrawing(const ScalingGroup& group) {
+  const LogScale x = logScaleOf(group, &BenchScalingPoint::x, kLeft, kRight);
+  const LogScale y = logScaleOf(group, &BenchScalingPoint::ns_per_ray, kBottom, kTop);
   const BenchScaling& first = *group.front();
   std::string text = fmt::format("<text x=\"0\" y=\"15\" font-weight=\"bold\">{}</text>\n",
                                  htmlText(fmt::format("{} of {} on {}: {} ns a ray over {}", first.axis,
                                                       first.scene, first.device, first.clock, first.x_unit)));
   text += gridOf(x, y);
   for (std::size_t i = 0; i < group.size(); ++i) {
-    text += curveOf(*group[i], kColours.at(i % kColours.size()), x, y);
+    text += curveOf(*group[i], kCurveColours.at(i % kCurveColours.size()), x, y);
   }
   text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + kRight) / 2,
                       kBottom + 34, htmlText(first.x_unit));
-  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}{}</svg>\n", kWidth, kHeight,
-                     kWidth, text, legendOf(group));
+  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}{}</svg>\n", kDrawingWidth,
+                     kHeight, kDrawingWidth, text, curveLegend(group));
 }
 
 }  // namespace
 
 std::vector<std::string> benchPlots(const BenchReport& report) {
-  std::vector<Group> groups;
+  std::vector<ScalingGroup> groups;
   for (const BenchScaling& scaling : report.scalings) {
-    const auto group = std::ranges::find_if(groups, [&](const Group& known) {
+    const auto group = std::ranges::find_if(groups, [&](const ScalingGroup& known) {
       const BenchScaling& first = *known.front();
       return first.axis == scaling.axis && first.scene == scaling.scene && first.device == scaling.device;
     });
@@ -158,7 +158,7 @@ std::vector<std::string> benchPlots(const BenchReport& report) {
     }
   }
   std::vector<std::string> drawings;
-  std::ranges::transform(groups, std::back_inserter(drawings), drawingOf);
+  std::ranges::transform(groups, std::back_inserter(drawings), curvesDrawing);
   return drawings;
 }
 

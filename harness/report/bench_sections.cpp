@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "base/size.h"
+#include "report/milliseconds.h"
 #include "report/table_text.h"
 
 namespace ssrkit {
 
 namespace {
-
-constexpr double kMsPerNs = 1e-6;
 
 std::string lawText(const std::optional<PowerLaw>& law) {
   return law ? fmt::format("{:.2f} +- {:.2f}", law->exponent, law->standard_error) : "-";
@@ -27,7 +26,7 @@ std::string shareText(const BenchAnswer& answer, std::initializer_list<Verdict> 
   return fmt::format("{:.2f}", 100.0 * static_cast<double>(count) / all);
 }
 
-std::string placeOf(const BenchSeries& series) {
+std::string seriesPlace(const BenchSeries& series) {
   return fmt::format("{} {} {} {} {}", series.scene, sizeText(series.size), series.device, series.stage,
                      series.pass);
 }
@@ -138,10 +137,10 @@ std::string changesText(const BenchReport& report) {
     const BenchSeries& series = *change.series;
     text += fmt::format("  {:<13}{:>7}{:>17}  {}\n", name(change.move),
                         change.ratio ? measureText(change.ratio->median) : "-", intervalText(change.ratio),
-                        cellText(placeOf(series), 58));
+                        cellText(seriesPlace(series), 58));
   }
   for (const BenchUncompared& one : report.comparison.uncompared) {
-    text += fmt::format("  {:<14}{:<50}{}\n", "not compared", cellText(placeOf(one.series), 49),
+    text += fmt::format("  {:<14}{:<50}{}\n", "not compared", cellText(seriesPlace(one.series), 49),
                         cellText(one.why, 34));
   }
   return text + fmt::format("  {} of {} passes unchanged within {:.0f} %\n\n", unchanged,

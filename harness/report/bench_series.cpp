@@ -2,15 +2,14 @@
 
 #include "check/percentile.h"
 #include "report/bench_report.h"
+#include "report/milliseconds.h"
 #include "spaces/roofline.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr double kMsPerNs = 1e-6;
-
-BenchSeries seriesOf(const PassReport& report) {
+BenchSeries passSeries(const PassReport& report) {
   BenchSeries series;
   series.pass = report.pass;
   series.first = report.cold;
@@ -56,7 +55,7 @@ std::vector<BenchSeries> benchSeries(std::span<const FrameRow> frames, std::span
   std::vector<BenchSeries> all;
   for (const FrameRow& frame : frames) {
     for (const PassReport& report : frame.passes) {
-      BenchSeries series = seriesOf(report);
+      BenchSeries series = passSeries(report);
       series.scene = frame.scene;
       series.device = frame.device;
       series.size = frame.size;
@@ -65,7 +64,7 @@ std::vector<BenchSeries> benchSeries(std::span<const FrameRow> frames, std::span
   }
   for (const RunRow& row : rows) {
     for (const PassReport& report : row.passes) {
-      BenchSeries series = seriesOf(report);
+      BenchSeries series = passSeries(report);
       series.scene = row.scene;
       series.device = row.device;
       series.stage = row.stage;

@@ -15,7 +15,7 @@ bool isSameGroup(const BenchSeries& a, const BenchSeries& b) {
   return a.scene == b.scene && a.device == b.device && a.size == b.size;
 }
 
-std::string labelOf(const BenchSeries& series) {
+std::string traceLabel(const BenchSeries& series) {
   return series.case_name.empty() ? series.stage : series.stage + " " + series.case_name;
 }
 
@@ -33,10 +33,10 @@ std::string deviceText(const BenchSeries& series) {
   return msText(medianNs(times, &PassTime::wall_ns));
 }
 
-std::string lineOf(const BenchSeries& series, std::span<const BenchSeries> all) {
+std::string seriesLine(const BenchSeries& series, std::span<const BenchSeries> all) {
   const double cpu_ns = medianNs(series.steady, &PassTime::cpu_ns);
   const auto multiple = series.pass == "trace" ? rooflineMultiple(series, all) : std::nullopt;
-  return fmt::format("  {:<14}{:<22}{:>7}{:>16}{:>8}{:>7}{:>8}{:>8}{:>8}\n", cellText(labelOf(series), 13),
+  return fmt::format("  {:<14}{:<22}{:>7}{:>16}{:>8}{:>7}{:>8}{:>8}{:>8}\n", cellText(traceLabel(series), 13),
                      cellText(series.pass, 21), msText(cpu_ns), intervalText(cpuMsInterval(series)),
                      msText(medianNs(series.steady, &PassTime::wall_ns)), deviceText(series),
                      msText(static_cast<double>(series.first.cpu_ns)),
@@ -62,14 +62,15 @@ std::string ratiosOf(const std::vector<const BenchSeries*>& group) {
     }
     const auto ratio = cpuRatio(*trace, over);
     const bool is_settled = ratio && ratio->high <= ratio->low * (1.0 + 2.0 * kBenchMargin);
-    text += fmt::format("  {:<34}{:>7}{:>17}  {}\n", cellText(labelOf(*trace) + " over " + labelOf(over), 33),
+    text += fmt::format("  {:<34}{:>7}{:>17}  {}\n",
+                        cellText(traceLabel(*trace) + " over " + traceLabel(over), 33),
                         ratio ? measureText(ratio->median) : "-", intervalText(ratio),
                         is_settled ? "" : "inconclusive: wider than 10 %");
   }
   return "  trace, ratios of CPU time round by round\n" + text;
 }
 
-std::string groupText(const std::vector<const BenchSeries*>& group, std::span<const BenchSeries> all) {
+std::string seriesGroupText(const std::vector<const BenchSeries*>& group, std::span<const BenchSeries> all) {
   const BenchSeries& first = *group.front();
   std::string text =
       fmt::format("{} {}x{} {}: ms in the median of {} rounds, 99 % interval of CPU time\n", first.scene,
@@ -77,7 +78,7 @@ std::string groupText(const std::vector<const BenchSeries*>& group, std::span<co
   text += fmt::format("  {:<14}{:<22}{:>7}{:>16}{:>8}{:>7}{:>8}{:>8}{:>8}\n", "stage", "pass", "CPU",
                       "interval", "wall", "device", "first", "ns/ray", "x limit");
   for (const BenchSeries* series : group) {
-    text += lineOf(*series, all);
+    text += seriesLine(*series, all);
   }
   return text + ratiosOf(group) + "\n";
 }
@@ -98,7 +99,7 @@ std::string seriesText(const BenchReport& report) {
         group.push_back(&other);
       }
     }
-    text += groupText(group, report.series);
+    text += seriesGroupText(group, report.series);
   }
   return text;
 }

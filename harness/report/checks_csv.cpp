@@ -28,25 +28,25 @@ std::string number(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "";
 }
 
-std::string line(const std::vector<std::string>& fields) {
+std::string csvLine(const std::vector<std::string>& fields) {
   return fmt::format("{}\r\n", fmt::join(fields, ","));
 }
 
-std::string lineOf(const CheckResult& check) {
-  return line({field(check.id), field(check.scene), field(check.device), field(check.stage),
-               std::to_string(check.size.width), std::to_string(check.size.height), field(check.case_name),
-               name(check.outcome), field(check.metric), number(check.value), number(check.min),
-               number(check.max), field(check.unit), std::to_string(check.compared), field(check.message),
-               field(check.repro)});
+std::string checkLine(const CheckResult& check) {
+  return csvLine({field(check.id), field(check.scene), field(check.device), field(check.stage),
+                  std::to_string(check.size.width), std::to_string(check.size.height), field(check.case_name),
+                  name(check.outcome), field(check.metric), number(check.value), number(check.min),
+                  number(check.max), field(check.unit), std::to_string(check.compared), field(check.message),
+                  field(check.repro)});
 }
 
 }  // namespace
 
 std::string checksCsv(const RunReport& report) {
-  std::string text = line({"id", "scene", "device", "stage", "width", "height", "case", "outcome", "metric",
-                           "value", "min", "max", "unit", "compared", "message", "repro"});
+  std::string text = csvLine({"id", "scene", "device", "stage", "width", "height", "case", "outcome",
+                              "metric", "value", "min", "max", "unit", "compared", "message", "repro"});
   for (const CheckResult& check : report.checks) {
-    text += lineOf(check);
+    text += checkLine(check);
   }
   return text;
 }

@@ -47,7 +47,7 @@ class TextTable {
   std::vector<std::string> texts_;
 };
 
-std::string valueText(const CheckResult& check) {
+std::string valueWithUnit(const CheckResult& check) {
   return check.value ? fmt::format("{:.6g} {}", *check.value, check.unit) : "";
 }
 
@@ -68,7 +68,7 @@ Expected<Json> rowsOf(const RunReport& report, TextTable& texts) {
     for (const std::string& text :
          {std::string(name(check.outcome)), check.id, check.scene,
           check.size.width > 0 ? sizeText(check.size) : "", check.case_name, check.stage, check.device,
-          valueText(check), boundText(check), check.message, check.repro, picture}) {
+          valueWithUnit(check), boundText(check), check.message, check.repro, picture}) {
       row.push_back(texts.add(text));
     }
     rows.push_back(std::move(row));

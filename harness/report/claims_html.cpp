@@ -13,7 +13,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kClaimsStyle = R"(
 body { font: 16px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1a1a1a; }
 h2 { margin: 3rem 0 .5rem; border-top: 1px solid #ccc; padding-top: 1.5rem; }
 code, pre, td, th { font-family: ui-monospace, monospace; font-size: .85rem; }
@@ -86,7 +86,7 @@ std::string claimsHtml(const ClaimsReport& report) {
       "content=\"width=device-width\">\n<title>Claims about screen-space "
       "reflections</title><style>{}</style></head>\n"
       "<body><h1>Claims about screen-space reflections</h1>\n<p>{}: {}.</p>\n",
-      kStyle, htmlText(report.started), htmlText(verdictCounts(report)));
+      kClaimsStyle, htmlText(report.started), htmlText(verdictCounts(report)));
   for (const DeviceRow& device : report.devices) {
     text += fmt::format("<p class=\"quiet\">{}: {} {}</p>\n", htmlText(device.identity.id),
                         htmlText(device.identity.driver), htmlText(device.identity.version));

@@ -6,36 +6,36 @@
 #include <array>
 #include <cmath>
 
+#include "report/drawing_width.h"
 #include "report/html_text.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr double kLabelWidth = 330.0;
-constexpr double kBarWidth = 420.0;
-constexpr double kWidth = 900.0;
-constexpr double kRowHeight = 22.0;
-constexpr double kHeader = 40.0;
+constexpr double kFigureLabelWidth = 330.0;
+constexpr double kFigureBarWidth = 420.0;
+constexpr double kFigureRowHeight = 22.0;
+constexpr double kFigureHeaderHeight = 40.0;
 
 // Okabe and Ito's colours, as in every picture of the kit.
 constexpr const char* kConfirmed = "#009e73";
 constexpr const char* kRefuted = "#d55e00";
-constexpr const char* kPlain = "#56b4e9";
+constexpr const char* kShownOnly = "#56b4e9";
 constexpr const char* kUndecided = "#e69f00";
 constexpr std::array<const char*, 7> kClasses = {"#d55e00", "#009e73", "#cfe8f7", "#9dd0f0",
                                                  "#56b4e9", "#2a7fb8", "#0a4b78"};
 
-const char* colourOf(const ClaimFigure& figure) {
+const char* figureColour(const ClaimFigure& figure) {
   if (!figure.decides) {
-    return kPlain;
+    return kShownOnly;
   }
   return figure.verdict == ClaimVerdict::kConfirmed ? kConfirmed
          : figure.verdict == ClaimVerdict::kRefuted ? kRefuted
                                                     : kUndecided;
 }
 
-using Group = std::vector<const ClaimFigure*>;
+using FigureGroup = std::vector<const ClaimFigure*>;
 
 std::vector<double> boundsOf(const ClaimFigure& figure) {
   std::vector<double> bounds;
@@ -49,7 +49,7 @@ std::vector<double> boundsOf(const ClaimFigure& figure) {
 }
 
 // The value at the right end: of every bar and bound. A figure below 0 is drawn by its size.
-double scaleOf(const Group& group) {
+double figureScale(const FigureGroup& group) {
   double largest = 0.0;
   for (const ClaimFigure* figure : group) {
     const double value =
@@ -62,7 +62,7 @@ double scaleOf(const Group& group) {
   return largest > 0.0 ? largest * 1.05 : 1.0;
 }
 
-std::string labelOf(const CheckResult& check) {
+std::string checkLabel(const CheckResult& check) {
   std::string text = fmt::format("{} {}x{}", check.scene, check.size.width, check.size.height);
   for (const std::string* part : {&check.stage, &check.case_name, &check.device}) {
     text += part->empty() ? "" : " " + *part;
@@ -70,34 +70,35 @@ std::string labelOf(const CheckResult& check) {
   return text;
 }
 
-std::string barOf(const ClaimFigure& figure, double y, double scale) {
+std::string figureBar(const ClaimFigure& figure, double y, double scale) {
   const CheckResult& check = figure.check;
   const auto x = [&](double value) {
-    return kLabelWidth + kBarWidth * std::clamp(std::abs(value) / scale, 0.0, 1.0);
+    return kFigureLabelWidth + kFigureBarWidth * std::clamp(std::abs(value) / scale, 0.0, 1.0);
   };
-  std::string text = fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLabelWidth - 8,
-                                 y + 14, htmlText(labelOf(check)));
+  std::string text = fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>",
+                                 kFigureLabelWidth - 8, y + 14, htmlText(checkLabel(check)));
   if (!check.value) {
-    return text + fmt::format("<text x=\"{}\" y=\"{}\">not measured</text>\n", kLabelWidth + 4, y + 14);
+    return text + fmt::format("<text x=\"{}\" y=\"{}\">not measured</text>\n", kFigureLabelWidth + 4, y + 14);
   }
   const double value = *check.value;
-  text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"14\" fill=\"{}\"/>", kLabelWidth,
-                      y + 3, std::max(1.0, x(value) - kLabelWidth), colourOf(figure));
+  text +=
+      fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"14\" fill=\"{}\"/>", kFigureLabelWidth,
+                  y + 3, std::max(1.0, x(value) - kFigureLabelWidth), figureColour(figure));
   if (check.interval) {
     text += fmt::format("<path d=\"M{:.1f} {}V{}M{:.1f} {}H{:.1f}M{:.1f} {}V{}\" stroke=\"#000\"/>",
                         x(check.interval->first), y + 6, y + 14, x(check.interval->first), y + 10,
                         x(check.interval->second), x(check.interval->second), y + 6, y + 14);
   }
-  return text + fmt::format("<text x=\"{:.1f}\" y=\"{}\">{:.4g}</text>\n", kLabelWidth + kBarWidth + 12,
-                            y + 14, value);
+  return text + fmt::format("<text x=\"{:.1f}\" y=\"{}\">{:.4g}</text>\n",
+                            kFigureLabelWidth + kFigureBarWidth + 12, y + 14, value);
 }
 
 std::string lineAt(double value, double scale, double bottom, const char* colour, const char* word) {
-  const double x = kLabelWidth + kBarWidth * std::clamp(value / scale, 0.0, 1.0);
+  const double x = kFigureLabelWidth + kFigureBarWidth * std::clamp(value / scale, 0.0, 1.0);
   return fmt::format(
       "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"{3}\" stroke-width=\"2\" stroke-dasharray=\"4 3\">"
       "<title>{4} {5:g}</title></path>\n",
-      x, kHeader - 6, bottom, colour, word, value);
+      x, kFigureHeaderHeight - 6, bottom, colour, word, value);
 }
 
 std::string headerOf(const ClaimFigure& figure, const std::string& name) {
@@ -110,28 +111,28 @@ std::string headerOf(const ClaimFigure& figure, const std::string& name) {
 }
 
 // The shares of the classes side by side, of the whole bar's width.
-std::string histogramOf(const CheckResult& check, double y) {
+std::string classShares(const CheckResult& check, double y) {
   double total = 0.0;
   for (const HistogramBin& bin : check.histogram) {
     total += static_cast<double>(bin.count);
   }
   std::string text;
-  double x = kLabelWidth;
+  double x = kFigureLabelWidth;
   for (std::size_t i = 0; i < check.histogram.size() && total > 0.0; ++i) {
     const double share = static_cast<double>(check.histogram[i].count) / total;
     text += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"10\" fill=\"{}\"><title>{}: {:.3g} "
         "%</title></rect>",
-        x, y, share * kBarWidth, kClasses.at(std::min(i, kClasses.size() - 1)),
+        x, y, share * kFigureBarWidth, kClasses.at(std::min(i, kClasses.size() - 1)),
         htmlText(check.histogram[i].label), 100.0 * share);
-    x += share * kBarWidth;
+    x += share * kFigureBarWidth;
   }
-  return text + fmt::format("<text x=\"{}\" y=\"{}\">samples by move</text>\n", kLabelWidth + kBarWidth + 12,
-                            y + 10);
+  return text + fmt::format("<text x=\"{}\" y=\"{}\">samples by move</text>\n",
+                            kFigureLabelWidth + kFigureBarWidth + 12, y + 10);
 }
 
 // What the colours of the classes mean.
-std::string legendOf(const CheckResult& check, double y) {
+std::string classLegend(const CheckResult& check, double y) {
   std::string text;
   double x = 0.0;
   for (std::size_t i = 0; i < check.histogram.size(); ++i) {
@@ -139,7 +140,7 @@ std::string legendOf(const CheckResult& check, double y) {
         "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>",
         x, y + 3, kClasses.at(std::min(i, kClasses.size() - 1)), x + 15, y + 12,
         htmlText(check.histogram[i].label));
-    x += kWidth / static_cast<double>(kClasses.size());
+    x += kDrawingWidth / static_cast<double>(kClasses.size());
   }
   return text;
 }
@@ -156,26 +157,26 @@ std::string boundLines(const ClaimFigure& figure, double scale, double bottom) {
   return lines;
 }
 
-std::string drawingOf(const Group& group, const std::string& name) {
+std::string figureDrawing(const FigureGroup& group, const std::string& name) {
   const ClaimFigure& first = *group.front();
-  const double scale = scaleOf(group);
+  const double scale = figureScale(group);
   std::string bars;
-  double y = kHeader;
+  double y = kFigureHeaderHeight;
   for (const ClaimFigure* figure : group) {
-    bars += barOf(*figure, y, scale);
-    y += kRowHeight;
+    bars += figureBar(*figure, y, scale);
+    y += kFigureRowHeight;
     if (!figure->check.histogram.empty()) {
-      bars += histogramOf(figure->check, y - 2);
-      y += kRowHeight - 6;
+      bars += classShares(figure->check, y - 2);
+      y += kFigureRowHeight - 6;
     }
   }
   bars += boundLines(first, scale, y);
   if (!first.check.histogram.empty()) {
-    bars += legendOf(first.check, y);
-    y += kRowHeight;
+    bars += classLegend(first.check, y);
+    y += kFigureRowHeight;
   }
-  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}{}</svg>\n", kWidth, y + 4,
-                     kWidth, headerOf(first, name), bars);
+  return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">{}{}</svg>\n", kDrawingWidth,
+                     y + 4, kDrawingWidth, headerOf(first, name), bars);
 }
 
 }  // namespace
@@ -189,13 +190,13 @@ std::vector<std::string> figureDrawings(const ClaimReport& report) {
       continue;
     }
     drawn.push_back(id);
-    Group group;
+    FigureGroup group;
     for (const ClaimFigure& other : report.result.figures) {
       if (other.check.id == id) {
         group.push_back(&other);
       }
     }
-    drawings.push_back(drawingOf(group, id.substr(std::min(id.size(), report.claim.test.id.size() + 1))));
+    drawings.push_back(figureDrawing(group, id.substr(std::min(id.size(), report.claim.test.id.size() + 1))));
   }
   return drawings;
 }

@@ -21,7 +21,7 @@ struct FigureLine {
   std::vector<std::string> devices;
 };
 
-std::string placeOf(const CheckResult& check) {
+std::string checkPlace(const CheckResult& check) {
   std::string text = fmt::format("{} {}x{}", check.scene, check.size.width, check.size.height);
   for (const std::string* part : {&check.stage, &check.case_name}) {
     text += part->empty() ? "" : " " + *part;
@@ -29,7 +29,7 @@ std::string placeOf(const CheckResult& check) {
   return text;
 }
 
-std::string valueText(const CheckResult& check) {
+std::string valueWithInterval(const CheckResult& check) {
   if (!check.value) {
     return "-";
   }
@@ -40,16 +40,16 @@ std::string valueText(const CheckResult& check) {
 }
 
 // The same to every digit that is shown.
-bool isSame(const ClaimFigure& a, const ClaimFigure& b) {
-  return a.check.id == b.check.id && placeOf(a.check) == placeOf(b.check) &&
-         valueText(a.check) == valueText(b.check) && a.verdict == b.verdict;
+bool isSameFigure(const ClaimFigure& a, const ClaimFigure& b) {
+  return a.check.id == b.check.id && checkPlace(a.check) == checkPlace(b.check) &&
+         valueWithInterval(a.check) == valueWithInterval(b.check) && a.verdict == b.verdict;
 }
 
-std::vector<FigureLine> linesOf(const ClaimResult& result) {
+std::vector<FigureLine> figureLines(const ClaimResult& result) {
   std::vector<FigureLine> lines;
   for (const ClaimFigure& figure : result.figures) {
-    const auto known =
-        std::ranges::find_if(lines, [&](const FigureLine& line) { return isSame(*line.figure, figure); });
+    const auto known = std::ranges::find_if(
+        lines, [&](const FigureLine& line) { return isSameFigure(*line.figure, figure); });
     if (known != lines.end()) {
       known->devices.push_back(figure.check.device);
     } else {
@@ -111,10 +111,10 @@ using Row = std::array<std::string, 5>;
 
 std::string tableOf(const ClaimReport& report) {
   std::vector<Row> rows = {{"figure", "of", "on", "value", "says"}};
-  for (const FigureLine& line : linesOf(report.result)) {
+  for (const FigureLine& line : figureLines(report.result)) {
     const ClaimFigure& figure = *line.figure;
-    rows.push_back({figureName(report.claim, figure.check), placeOf(figure.check),
-                    fmt::format("{}", fmt::join(line.devices, " ")), valueText(figure.check),
+    rows.push_back({figureName(report.claim, figure.check), checkPlace(figure.check),
+                    fmt::format("{}", fmt::join(line.devices, " ")), valueWithInterval(figure.check),
                     figure.decides ? name(figure.verdict) : "-"});
   }
   std::array<std::size_t, 5> widths{};
@@ -134,7 +134,7 @@ std::string tableOf(const ClaimReport& report) {
   return text;
 }
 
-const char* colourOf(ClaimVerdict verdict) {
+const char* claimColour(ClaimVerdict verdict) {
   switch (verdict) {
     case ClaimVerdict::kConfirmed:
       return "\033[32m";
@@ -187,8 +187,8 @@ std::string verdictText(const ClaimReport& report) {
                                    ? ""
                                    : fmt::format(" (confirmed at {}, refuted at {})",
                                                  confirmingText(*settles), refutingText(*settles));
-    text += fmt::format(" {} = {} {}{}, {} on {}", figureName(report.claim, check), valueText(check),
-                        check.unit, bounds, placeOf(check), check.device);
+    text += fmt::format(" {} = {} {}{}, {} on {}", figureName(report.claim, check), valueWithInterval(check),
+                        check.unit, bounds, checkPlace(check), check.device);
     text += verdict == ClaimVerdict::kNotMeasured
                 ? ": " + (check.remark.empty() ? check.message : check.remark)
                 : "";
@@ -204,7 +204,7 @@ std::string claimText(const ClaimReport& report, const TableStyle& style) {
   const ClaimVerdict verdict = report.result.verdict;
   const auto width = static_cast<std::size_t>(style.width);
   const std::string word =
-      style.colour ? fmt::format("{}{}\033[0m", colourOf(verdict), name(verdict)) : name(verdict);
+      style.colour ? fmt::format("{}{}\033[0m", claimColour(verdict), name(verdict)) : name(verdict);
   std::string text = fmt::format("{}: {}\n", claim.name, word);
   text += paragraph("claim", fmt::format("{} ({})", claim.says, claim.source), width);
   text += paragraph("hypothesis", claim.test.about, width);

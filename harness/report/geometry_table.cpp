@@ -43,7 +43,7 @@ std::string percent(std::size_t part, std::size_t whole) {
 }
 
 template <class Columns>
-std::size_t totalWidth(const Columns& columns) {
+std::size_t widthOfAll(const Columns& columns) {
   std::size_t sum = 0;
   for (const auto& column : columns) {
     sum += column.width;
@@ -59,10 +59,10 @@ std::string classHeadings() {
   return text;
 }
 
-std::string headings() {
+std::string geometryHeadings() {
   std::string text = fmt::format("{:>{}}{:>{}}\n{:<{}}{:>{}}", "what the rays truly meet, %",
-                                 kSceneWidth + kRaysWidth + totalWidth(kClassColumns), "hits of Oracle A, %",
-                                 totalWidth(kVerdictColumns), "scene", kSceneWidth, "rays", kRaysWidth);
+                                 kSceneWidth + kRaysWidth + widthOfAll(kClassColumns), "hits of Oracle A, %",
+                                 widthOfAll(kVerdictColumns), "scene", kSceneWidth, "rays", kRaysWidth);
   text += classHeadings();
   for (const VerdictColumn& column : kVerdictColumns) {
     text += fmt::format("{:>{}}", column.heading, column.width);
@@ -71,16 +71,16 @@ std::string headings() {
 }
 
 // A case has a line of its own: its name finds no room beside the numbers.
-std::string labelOf(const GeometryRow& row) {
+std::string geometryLabel(const GeometryRow& row) {
   const std::string scene = cellText(row.scene, kSceneWidth);
   const std::string blanks(kSceneWidth, ' ');
   return row.case_name.empty() ? scene + blanks.substr(columnsOf(scene))
                                : cellText(row.scene + " " + row.case_name, kLineWidth) + "\n" + blanks;
 }
 
-std::string lineOf(const GeometryRow& row) {
+std::string geometryLine(const GeometryRow& row) {
   const std::size_t rays = row.counts.rayCount();
-  std::string text = labelOf(row);
+  std::string text = geometryLabel(row);
   text += fmt::format("{:>{}}", countText(rays), kRaysWidth);
   for (const ClassColumn& column : kClassColumns) {
     const std::size_t of_class = row.counts.rays.at(static_cast<std::size_t>(column.true_class));
@@ -92,7 +92,7 @@ std::string lineOf(const GeometryRow& row) {
   return text + "\n";
 }
 
-std::string linesOf(const RunRow& row) {
+std::string trueClassLines(const RunRow& row) {
   std::string text;
   for (int v = 1; v < kVerdictCount; ++v) {
     const auto verdict = static_cast<std::size_t>(v);
@@ -116,9 +116,9 @@ std::string linesOf(const RunRow& row) {
 std::string geometryTable(std::span<const GeometryRow> rows) {
   std::string text;
   for (const GeometryRow& row : rows) {
-    text += lineOf(row);
+    text += geometryLine(row);
   }
-  return text.empty() ? text : headings() + text;
+  return text.empty() ? text : geometryHeadings() + text;
 }
 
 std::string trueClassTable(std::span<const RunRow> rows) {
@@ -137,7 +137,7 @@ std::string trueClassTable(std::span<const RunRow> rows) {
           fmt::format("{}\n{}{}\n", own, std::string(2 + kStageWidth + kVerdictWidth, ' '), classHeadings());
       heading = std::move(own);
     }
-    text += linesOf(row);
+    text += trueClassLines(row);
   }
   return text;
 }

@@ -12,7 +12,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::size_t kFirstNumber = 2;
+constexpr std::size_t kTextColumnCount = 2;
 
 std::string pairText(const LedgerKey& key) {
   return key.device + " : " + key.other + (key.input.empty() ? "" : ", given " + key.input);
@@ -56,14 +56,14 @@ std::map<std::string, TwinCount> twinsOf(const Ledger& ledger) {
   return twins;
 }
 
-std::string lineOf(const std::vector<std::string>& row) {
+std::string ledgerLine(const std::vector<std::string>& row) {
   constexpr std::array<std::size_t, 9> kWidths = {29, 22, 6, 6, 5, 5, 7, 7, 5};
   std::string line;
   for (std::size_t column = 0; column < kWidths.size(); ++column) {
     const std::string cell = cellText(row[column], kWidths.at(column));
     const std::string blanks(kWidths.at(column) - std::min(columnsOf(cell), kWidths.at(column)), ' ');
     line.append(column == 0 ? 0 : 1, ' ');
-    line += column < kFirstNumber ? cell + blanks : blanks + cell;
+    line += column < kTextColumnCount ? cell + blanks : blanks + cell;
   }
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
@@ -110,9 +110,9 @@ std::string ledgerTable(const Ledger& ledger) {
       continue;
     }
     if (row_count == 0) {
-      text += lineOf(ledgerHeadings());
+      text += ledgerLine(ledgerHeadings());
     }
-    text += ++row_count <= kMostRows ? lineOf(rowOf(key, entry)) : "";
+    text += ++row_count <= kMostRows ? ledgerLine(rowOf(key, entry)) : "";
   }
   if (row_count > kMostRows) {
     text += fmt::format("... and {} rows more, in report.html\n", row_count - kMostRows);

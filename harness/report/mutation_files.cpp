@@ -12,7 +12,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kMutationStyle = R"(
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem; color: #1a1a1a; }
 table { border-collapse: collapse; font: 11px ui-monospace, monospace; }
 thead th { height: 19rem; vertical-align: bottom; padding: 0; }
@@ -24,7 +24,7 @@ tr.bad th { font-weight: 700; color: #a3200d; }
 )";
 
 // The columns: the suite, and what else noticed something.
-std::set<std::string> columnsOf(const MutationReport& report) {
+std::set<std::string> checksOf(const MutationReport& report) {
   std::set<std::string> columns;
   for (const MutantRun& run : report.runs) {
     for (const auto& [check, has_noticed] : run.noticed) {
@@ -98,7 +98,7 @@ std::string mutationJson(const MutationReport& report) {
 }
 
 std::string killMatrixCsv(const MutationReport& report) {
-  const std::set<std::string> columns = columnsOf(report);
+  const std::set<std::string> columns = checksOf(report);
   std::string text = "name,kind,file";  // none of which holds a comma
   for (const std::string& check : columns) {
     text += "," + check;
@@ -116,7 +116,7 @@ std::string killMatrixCsv(const MutationReport& report) {
 
 std::string mutationHtml(const MutationReport& report) {
   const KillSummary summary = summarise(report.runs, report.suite);
-  const std::set<std::string> columns = columnsOf(report);
+  const std::set<std::string> columns = checksOf(report);
   std::string text = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Mutants of ssrkit</title>"
       "<style>{}</style></head>\n<body><h1>Mutants and the checks that notice them</h1>\n"
@@ -124,7 +124,8 @@ std::string mutationHtml(const MutationReport& report) {
       "check that "
       "was foretold; grey: it ran and held; white: it does not look at what the mutant changes.</p>\n"
       "<table><thead><tr><th></th>",
-      kStyle, htmlText(report.started), summary.killed, summary.mutants, summary.rejected, summary.wheats);
+      kMutationStyle, htmlText(report.started), summary.killed, summary.mutants, summary.rejected,
+      summary.wheats);
   for (const std::string& check : columns) {
     text += fmt::format("<th><div>{}</div></th>", htmlText(check));
   }

@@ -21,7 +21,7 @@ struct Times {
 };
 
 // One trace on all devices.
-struct Group {
+struct TraceGroup {
   const RunRow* row = nullptr;  // the first device's
   std::vector<Times> devices;
 };
@@ -31,7 +31,7 @@ bool isSameTrace(const RunRow& a, const RunRow& b) {
 }
 
 // The passes of the frame, then those of the trace.
-std::vector<PassReport> passesOf(const RunRow& row, std::span<const FrameRow> frames) {
+std::vector<PassReport> allPassesOf(const RunRow& row, std::span<const FrameRow> frames) {
   std::vector<PassReport> passes;
   const auto frame = std::ranges::find_if(frames, [&](const FrameRow& candidate) {
     return candidate.scene == row.scene && candidate.size == row.size && candidate.device == row.device;
@@ -43,25 +43,25 @@ std::vector<PassReport> passesOf(const RunRow& row, std::span<const FrameRow> fr
   return passes;
 }
 
-std::vector<Group> groupsOf(std::span<const FrameRow> frames, std::span<const RunRow> rows) {
-  std::vector<Group> groups;
+std::vector<TraceGroup> groupsOf(std::span<const FrameRow> frames, std::span<const RunRow> rows) {
+  std::vector<TraceGroup> groups;
   for (const RunRow& row : rows) {
     if (row.passes.empty()) {
       continue;
     }
     auto group =
-        std::ranges::find_if(groups, [&](const Group& known) { return isSameTrace(*known.row, row); });
+        std::ranges::find_if(groups, [&](const TraceGroup& known) { return isSameTrace(*known.row, row); });
     if (group == groups.end()) {
       group = groups.insert(groups.end(), {.row = &row, .devices = {}});
     }
     if (group->devices.size() < kMostDevices) {
-      group->devices.push_back({row.device, passesOf(row, frames)});
+      group->devices.push_back({row.device, allPassesOf(row, frames)});
     }
   }
   return groups;
 }
 
-double cpuOf(const Times& times, std::string_view pass) {
+double passCpuMs(const Times& times, std::string_view pass) {
   const auto found = std::ranges::find(times.passes, pass, &PassReport::pass);
   return found == times.passes.end() ? 0.0 : cpuMs(*found);
 }
@@ -74,17 +74,17 @@ double wholeOf(const Times& times) {
   return sum;
 }
 
-std::string line(std::string_view name, const Group& group, const std::vector<double>& cpu_ms) {
+std::string passLine(std::string_view name, const TraceGroup& group, const std::vector<double>& cpu_ms) {
   std::string text = fmt::format("  {:<{}}", cellText(name, kNameColumns), kNameColumns);
   for (std::size_t i = 0; i < group.devices.size(); ++i) {
-    const double trace = cpuOf(group.devices[i], "trace");
+    const double trace = passCpuMs(group.devices[i], "trace");
     const std::string multiple = trace > 0.0 ? fmt::format("{:.2f} x", cpu_ms[i] / trace) : "-";
     text += fmt::format("{:>{}}{:>9}", measureText(cpu_ms[i]), kDeviceColumns - 9, multiple);
   }
   return text + "\n";
 }
 
-std::string groupText(const Group& group) {
+std::string traceGroupText(const TraceGroup& group) {
   const RunRow& row = *group.row;
   std::string text =
       fmt::format("{} {}x{} {}{}{}, CPU ms and multiples of the trace\n", row.scene, row.size.width,
@@ -99,10 +99,10 @@ std::string groupText(const Group& group) {
     for (const Times& times : group.devices) {
       cpu_ms.push_back(timeOf(times));
     }
-    text += line(name, group, cpu_ms);
+    text += passLine(name, group, cpu_ms);
   };
   for (const PassReport& pass : group.devices.front().passes) {
-    add(pass.pass, [&](const Times& times) { return cpuOf(times, pass.pass); });
+    add(pass.pass, [&](const Times& times) { return passCpuMs(times, pass.pass); });
   }
   add("whole frame", wholeOf);
   return text;
@@ -112,8 +112,8 @@ std::string groupText(const Group& group) {
 
 std::string passTable(std::span<const FrameRow> frames, std::span<const RunRow> rows) {
   std::string text;
-  for (const Group& group : groupsOf(frames, rows)) {
-    text += groupText(group);
+  for (const TraceGroup& group : groupsOf(frames, rows)) {
+    text += traceGroupText(group);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "check/percentile.h"
+#include "report/milliseconds.h"
 
 namespace ssrkit {
 
@@ -18,7 +19,6 @@ double median(std::vector<double> values) {
 }
 
 double medianOrCold_ms(const PassReport& pass, std::int64_t PassTime::*field) {
-  constexpr double kMsPerNs = 1e-6;
   if (pass.steady.empty()) {
     return kMsPerNs * static_cast<double>(pass.cold.*field);
   }

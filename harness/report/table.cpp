@@ -37,7 +37,7 @@ enum Column : std::size_t {
 };
 
 constexpr std::size_t kIndent = 2;
-constexpr std::size_t kFirstNumber = kHits;
+constexpr std::size_t kFirstRightAligned = kHits;
 
 // Columns that share a word above their own heading.
 struct Span {
@@ -51,13 +51,13 @@ constexpr std::array<Span, 3> kSpans = {
 using Line = std::array<std::string, kColumnCount>;
 using Widths = std::array<std::size_t, kColumnCount>;
 
-const Line& headings() {
+const Line& runHeadings() {
   static const Line line = {"stage", "device", "checks", "hits %", "SAME %", "NEAR", "WRONG",
                             "FALSE", "MISSED", "LEAK",   "mean",   "p95",    "CPU",  "wall"};
   return line;
 }
 
-Line lineOf(const RunRow& row) {
+Line runLine(const RunRow& row) {
   Line line;
   std::ranges::fill(line, std::string("-"));
   line[kStage] = row.stage;
@@ -123,7 +123,7 @@ Widths widthsFor(std::span<const Line> lines, std::size_t screen_width) {
   return widths;
 }
 
-std::string_view colourOf(Outcome outcome) {
+std::string_view outcomeColour(Outcome outcome) {
   switch (outcome) {
     case Outcome::kPass:
       return "\x1b[32m";
@@ -146,7 +146,7 @@ std::string printed(const Line& line, const Widths& widths, std::string_view out
     const std::string blanks(widths[i] - columnsOf(cell), ' ');
     const bool is_coloured = i == kOutcome && !outcome_colour.empty();
     const std::string shown = is_coloured ? fmt::format("{}{}\x1b[0m", outcome_colour, cell) : cell;
-    text += i >= kFirstNumber ? blanks + shown : shown + blanks;
+    text += i >= kFirstRightAligned ? blanks + shown : shown + blanks;
     text += i + 1 < kColumnCount ? " " : "";
   }
   return text + "\n";
@@ -184,9 +184,9 @@ std::string runTable(std::span<const RunRow> rows, const TableStyle& style) {
   if (rows.empty()) {
     return {};
   }
-  std::vector<Line> lines = {headings()};
+  std::vector<Line> lines = {runHeadings()};
   for (const RunRow& row : rows) {
-    lines.push_back(lineOf(row));
+    lines.push_back(runLine(row));
   }
   const auto screen_width = static_cast<std::size_t>(std::max(style.width, 1));
   const Widths widths = widthsFor(lines, screen_width);
@@ -197,7 +197,7 @@ std::string runTable(std::span<const RunRow> rows, const TableStyle& style) {
       text += own;
       heading = std::move(own);
     }
-    text += printed(lines[i + 1], widths, style.colour ? colourOf(rows[i].outcome) : "");
+    text += printed(lines[i + 1], widths, style.colour ? outcomeColour(rows[i].outcome) : "");
   }
   return text;
 }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace ssrkit::testing {
+namespace ssrkit::test {
 
 class TemporaryFolder {
  public:
@@ -34,4 +34,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace ssrkit::testing
+}  // namespace ssrkit::test

@@ -19,7 +19,7 @@ namespace ssrkit {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 std::string contentOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

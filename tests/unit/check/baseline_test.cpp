@@ -38,7 +38,7 @@ CheckResult check(Outcome outcome, const std::string& device = "vk-swiftshader")
 const DeviceTexts kDevices = {{"vk-swiftshader", "Vulkan 1.3 SwiftShader 5.0.0 Subzero"},
                               {"vk-lavapipe", "Vulkan 1.3 llvmpipe Mesa 22.3.6"}};
 
-std::string complaint(const std::string& content, const KnownNames& known = {}) {
+std::string baselineComplaint(const std::string& content, const KnownNames& known = {}) {
   const auto entries = readBaseline(content, "known.toml", known);
   return entries ? "" : sentence(entries.error());
 }
@@ -127,24 +127,28 @@ TEST(ReadBaseline, AFileMayListNothing) {
 }
 
 TEST(ReadBaseline, WhatIsWrongIsNamedWithItsPlace) {
-  EXPECT_NE(complaint(replaced("reason", "raeson")).find("known.toml:6:1"), std::string::npos);
-  EXPECT_NE(complaint(replaced("reason", "raeson")).find("did you mean 'reason'?"), std::string::npos);
-  EXPECT_NE(complaint(replaced("2026-06-15", "2026-02-30")).find("known.toml:7:"), std::string::npos);
-  EXPECT_NE(complaint(replaced("2026-06-15", "15.6.2026")).find("'15.6.2026' is no date"), std::string::npos);
-  EXPECT_NE(complaint(replaced("[\"fail\"]", "[\"pass\"]")).find("known.toml:5:"), std::string::npos);
-  EXPECT_NE(complaint(replaced("[[expected_failure]]", "[expected_failure]")).find("[[expected_failure]]"),
+  EXPECT_NE(baselineComplaint(replaced("reason", "raeson")).find("known.toml:6:1"), std::string::npos);
+  EXPECT_NE(baselineComplaint(replaced("reason", "raeson")).find("did you mean 'reason'?"),
             std::string::npos);
-  EXPECT_NE(complaint("expected_failure = [1]").find("known.toml:1:21"), std::string::npos);
+  EXPECT_NE(baselineComplaint(replaced("2026-06-15", "2026-02-30")).find("known.toml:7:"), std::string::npos);
+  EXPECT_NE(baselineComplaint(replaced("2026-06-15", "15.6.2026")).find("'15.6.2026' is no date"),
+            std::string::npos);
+  EXPECT_NE(baselineComplaint(replaced("[\"fail\"]", "[\"pass\"]")).find("known.toml:5:"), std::string::npos);
+  EXPECT_NE(
+      baselineComplaint(replaced("[[expected_failure]]", "[expected_failure]")).find("[[expected_failure]]"),
+      std::string::npos);
+  EXPECT_NE(baselineComplaint("expected_failure = [1]").find("known.toml:1:21"), std::string::npos);
   for (const std::string key : {"id", "device", "outcome", "reason", "expires", "bug"}) {
-    EXPECT_NE(complaint(replaced("\n" + key + " =", "\n# ")).find("'" + key + "'"), std::string::npos) << key;
+    EXPECT_NE(baselineComplaint(replaced("\n" + key + " =", "\n# ")).find("'" + key + "'"), std::string::npos)
+        << key;
   }
 }
 
 TEST(ReadBaseline, ADeviceWithoutAWildcardMustBeKnown) {
   KnownNames known;
   known.devices = {"vk-swiftshade"};
-  EXPECT_NE(complaint(kEntry, known).find("did you mean 'vk-swiftshade'?"), std::string::npos);
-  EXPECT_EQ(complaint(replaced("\"vk-swiftshader\"", "\"vk-*\""), known), "");
+  EXPECT_NE(baselineComplaint(kEntry, known).find("did you mean 'vk-swiftshade'?"), std::string::npos);
+  EXPECT_EQ(baselineComplaint(replaced("\"vk-swiftshader\"", "\"vk-*\""), known), "");
 }
 
 }  // namespace

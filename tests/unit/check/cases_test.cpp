@@ -8,7 +8,6 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 8};
 const std::string kCases =
     "[[case]]\nname = \"a\"\nstep_m = 0.4\n[[case]]\nname = \"b\"\nstep_m = 0.2\n"
     "[[case]]\nname = \"c\"\nstep_m = 0.1\n";
@@ -19,13 +18,13 @@ Bench converging(const std::vector<double>& steps_m, const std::vector<double>& 
   Bench bench;
   for (std::size_t i = 0; i < steps_m.size(); ++i) {
     Answer& answer =
-        bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", std::string(1, static_cast<char>('a' + i)));
+        bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa", std::string(1, static_cast<char>('a' + i)));
     answer.parameters.step_m = steps_m[i];
-    bench.setOracle(answer, shiftedRecord(kSize));
+    bench.setOracle(answer, shiftedRecord(kMadeSize));
     OracleInput& input = bench.setWorld(answer, 4.0F);
     const PixelProjection projection = pixelProjection(*input.camera);
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kMadeSize.height; ++y) {
+      for (int x = 0; x < kMadeSize.width; ++x) {
         const ImageRay ray = pixelRay(input, projection, x, y).ray;
         const auto put = [&](RayHit& hit, double t_m) {
           const glm::dvec2 px = ray.pxAt(t_m * ray.inv_dist_origin / (1.0 - t_m * ray.inv_dist_per_sigma));
@@ -33,7 +32,7 @@ Bench converging(const std::vector<double>& steps_m, const std::vector<double>& 
           hit.px_y = static_cast<float>(px.y);
           hit.t_m = static_cast<float>(t_m);
         };
-        const auto index = static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
+        const auto index = static_cast<std::size_t>(y) * kMadeSize.width + static_cast<std::size_t>(x);
         put(bench.oracles.back().record.rays[index], 1.0);
         put(bench.records.back().rays[index], 1.0 + errors_m[i]);
       }
@@ -120,7 +119,7 @@ TEST(Convergence, ACaseThatDidNotRunIsAnError) {
 Bench budgets() {
   Bench bench;
   for (const int budget : {2, 5}) {
-    RayRecord record = shiftedRecord(kSize);
+    RayRecord record = shiftedRecord(kMadeSize);
     if (budget == 2) {
       record.rays[0] = without(RayClass::kBudget, 2);
     }

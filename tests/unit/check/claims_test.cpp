@@ -2,11 +2,12 @@
 
 #include "check/judge_claim.h"
 #include "check/read_claims.h"
+#include "complaints.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr const char* kGood = R"([claim]
+constexpr const char* kGoodClaim = R"([claim]
 source = "somebody, 2020"
 says = "rays are cheap"
 finding = "refuted"
@@ -41,28 +42,17 @@ name = "shown"
 metric = "p95_lookups"
 )";
 
-std::string changed(std::string_view from, std::string_view to) {
-  std::string text = kGood;
-  const std::size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
+std::string changedClaim(std::string_view from, std::string_view to) {
+  return withChange(kGoodClaim, from, to);
 }
 
-std::string complaint(const std::string& content) {
+std::string claimComplaint(const std::string& content) {
   const Expected<Claim> claim = readClaim(content, "c.toml");
   return claim ? "read" : sentence(claim.error());
 }
 
-#define EXPECT_COMPLAINT(content, ...)                                                      \
-  do {                                                                                      \
-    const std::string said = complaint(content);                                            \
-    for (const char* part : {__VA_ARGS__}) {                                                \
-      EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' not in: " << said; \
-    }                                                                                       \
-  } while (false)
-
 TEST(ReadClaim, GivesWhatTheFileSays) {
-  const Expected<Claim> claim = readClaim(kGood, "c.toml");
+  const Expected<Claim> claim = readClaim(kGoodClaim, "c.toml");
   ASSERT_TRUE(claim.has_value()) << sentence(claim.error());
   EXPECT_EQ(claim->name, "cheap_rays");
   EXPECT_EQ(claim->source, "somebody, 2020");
@@ -81,35 +71,41 @@ TEST(ReadClaim, GivesWhatTheFileSays) {
 }
 
 TEST(ReadClaim, SaysWhatIsWrongAndWhere) {
-  EXPECT_COMPLAINT(changed("says =", "sayz ="), "c.toml:3:1", "unknown key 'sayz' in [claim]",
-                   "did you mean 'says'?");
-  EXPECT_COMPLAINT(changed("finding = \"refuted\"", "finding = \"refutted\""), "c.toml:4:", "refutted",
-                   "did you mean 'refuted'?");
-  EXPECT_COMPLAINT(changed("source = \"somebody, 2020\"\n", ""), "[claim] lacks the key 'source'");
-  EXPECT_COMPLAINT(changed("[claim]", "[clam]"), "unknown key 'clam'", "did you mean 'claim'?");
-  EXPECT_COMPLAINT(std::string(kGood).substr(std::string(kGood).find("[test]")),
-                   "the file has no [claim] section");
-  EXPECT_COMPLAINT(changed("refuted_above = 20", "refuted_abov = 20"), "c.toml:19:1",
-                   "did you mean 'refuted_above'?");
-  EXPECT_COMPLAINT(changed("refuted_above = 20", "refuted_above = 10"), "c.toml:19:17",
-                   "does not lie beyond 'max': a value could confirm and refute");
-  EXPECT_COMPLAINT(changed("refuted_below = 1", "refuted_below = 3"), "does not lie beyond 'min'");
-  EXPECT_COMPLAINT(changed("refuted_above = 20", "refuted_below = 20"), "'refuted_below' needs 'min'");
-  EXPECT_COMPLAINT(changed("refuted_above = 20\n", ""), "nothing refutes 'cost'", "add refuted_above");
-  EXPECT_COMPLAINT(changed("max = 10\nrefuted_above = 20\n", "refuted_above = 20\n"),
-                   "'refuted_above' needs 'max'");
-  EXPECT_COMPLAINT(changed("max = 10", "max = \"ten\""), "c.toml:18:7", "must be");
-  EXPECT_COMPLAINT("[claim", "c.toml:1:");
+  EXPECT_TRUE(says(claimComplaint(changedClaim("says =", "sayz =")),
+                   {"c.toml:3:1", "unknown key 'sayz' in [claim]", "did you mean 'says'?"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("finding = \"refuted\"", "finding = \"refutted\"")),
+                   {"c.toml:4:", "refutted", "did you mean 'refuted'?"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("source = \"somebody, 2020\"\n", "")),
+                   {"[claim] lacks the key 'source'"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("[claim]", "[clam]")),
+                   {"unknown key 'clam'", "did you mean 'claim'?"}));
+  EXPECT_TRUE(says(claimComplaint(std::string(kGoodClaim).substr(std::string(kGoodClaim).find("[test]"))),
+                   {"the file has no [claim] section"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("refuted_above = 20", "refuted_abov = 20")),
+                   {"c.toml:19:1", "did you mean 'refuted_above'?"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("refuted_above = 20", "refuted_above = 10")),
+                   {"c.toml:19:17", "does not lie beyond 'max': a value could confirm and refute"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("refuted_below = 1", "refuted_below = 3")),
+                   {"does not lie beyond 'min'"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("refuted_above = 20", "refuted_below = 20")),
+                   {"'refuted_below' needs 'min'"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("refuted_above = 20\n", "")),
+                   {"nothing refutes 'cost'", "add refuted_above"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("max = 10\nrefuted_above = 20\n", "refuted_above = 20\n")),
+                   {"'refuted_above' needs 'max'"}));
+  EXPECT_TRUE(says(claimComplaint(changedClaim("max = 10", "max = \"ten\"")), {"c.toml:18:7", "must be"}));
+  EXPECT_TRUE(says(claimComplaint("[claim"), {"c.toml:1:"}));
 }
 
 TEST(ReadClaim, WantsSomethingThatDecides) {
-  const std::string shown_only = std::string(kGood).substr(0, std::string(kGood).find("[[expect]]")) +
-                                 "[[expect]]\nmetric = \"p95_lookups\"\n";
-  EXPECT_COMPLAINT(shown_only, "nothing decides the claim", "add max or min");
+  const std::string shown_only =
+      std::string(kGoodClaim).substr(0, std::string(kGoodClaim).find("[[expect]]")) +
+      "[[expect]]\nmetric = \"p95_lookups\"\n";
+  EXPECT_TRUE(says(claimComplaint(shown_only), {"nothing decides the claim", "add max or min"}));
 }
 
 TEST(ReadExpectations, TakesNoClaims) {
-  const auto test = readExpectations(kGood, "c.toml");
+  const auto test = readExpectations(kGoodClaim, "c.toml");
   ASSERT_FALSE(test.has_value());
   EXPECT_NE(sentence(test.error()).find("unknown key 'claim'"), std::string::npos);
 }
@@ -125,7 +121,7 @@ CheckResult made(const std::string& name, double value, Outcome outcome) {
 
 // The verdict on the good claim by the values of `cost` and `ratio`.
 ClaimVerdict verdict(std::vector<CheckResult> checks) {
-  const Expected<Claim> claim = readClaim(kGood, "c.toml");
+  const Expected<Claim> claim = readClaim(kGoodClaim, "c.toml");
   return judgeClaim(*claim, checks).verdict;
 }
 
@@ -158,7 +154,7 @@ TEST(JudgeClaim, FewRoundsOrRaysSettleNothing) {
 }
 
 TEST(JudgeClaim, WhatIsOnlyShownDoesNotDecide) {
-  const Expected<Claim> claim = readClaim(kGood, "c.toml");
+  const Expected<Claim> claim = readClaim(kGoodClaim, "c.toml");
   const std::vector<CheckResult> checks = {made("cost", 9, Outcome::kPass), made("ratio", 3, Outcome::kPass),
                                            made("shown", 1e9, Outcome::kPass)};
   const ClaimResult result = judgeClaim(*claim, checks);

@@ -12,14 +12,14 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{16, 16};
+constexpr Size kWallSize{16, 16};
 
 // A wall at 3 m, rays that meet it at their own pixel's place, and a tracer that hits there.
 struct Wall : Bench {
   Wall() {
-    RayRecord record{kSize, {}};
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    RayRecord record{kWallSize, {}};
+    for (int y = 0; y < kWallSize.height; ++y) {
+      for (int x = 0; x < kWallSize.width; ++x) {
         record.rays.push_back(hitAt(x, y));
         record.rays.back().t_m = 2.0F;
       }
@@ -31,8 +31,8 @@ struct Wall : Bench {
   RayHit& ray(int x, int y) { return records[0].rays[index(x, y)]; }
   [[nodiscard]] TrueRay truth(int x, int y) const { return geometries[0].at(x, y); }
   void setTruth(int x, int y, const TrueRay& ray) {
-    std::array<TrueRay, kSize.width> row;
-    for (int i = 0; i < kSize.width; ++i) {
+    std::array<TrueRay, kWallSize.width> row;
+    for (int i = 0; i < kWallSize.width; ++i) {
       row.at(static_cast<std::size_t>(i)) = i == x ? ray : truth(i, y);
     }
     geometries[0].setRow(y, row);
@@ -48,7 +48,7 @@ struct Wall : Bench {
     return name(verdicts[index(x, y)]);
   }
   static std::size_t index(int x, int y) {
-    return static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * kWallSize.width + static_cast<std::size_t>(x);
   }
 };
 
@@ -189,9 +189,9 @@ TEST(GeometryMetrics, WithoutTrianglesTheyAreErrors) {
 
 TEST(GeometryMetrics, DepthIsHeldAgainstWhatTheCameraTrulySees) {
   Bench bench;
-  Answer& frame = bench.add("", RayRecord{kSize, {}});
+  Answer& frame = bench.add("", RayRecord{kWallSize, {}});
   bench.setImage(frame, "dist_view", 3.0F);
-  Image& truth = bench.images.emplace_back(kSize, std::vector<std::string>{"v"});
+  Image& truth = bench.images.emplace_back(kWallSize, std::vector<std::string>{"v"});
   std::ranges::fill(truth.data, 3.0F);
   truth.at(2, 3) = std::numeric_limits<float>::infinity();
   truth.at(4, 5) = 2.5F;

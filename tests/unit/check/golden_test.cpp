@@ -37,7 +37,7 @@ class GoldenFiles : public ::testing::Test {
     const auto loaded = loadGoldens(folder_.path(), "t", "m1");
     return loaded ? "" : sentence(loaded.error());
   }
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(GoldenFiles, ComeBackAsTheyWereWritten) {

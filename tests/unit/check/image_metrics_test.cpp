@@ -2,22 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 8};
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
 // One image of two devices, of one value each until a test changes texels.
 struct TwoPictures : Bench {
   TwoPictures(const std::string& buffer, float your_value, float true_value)
-      : yours(setImage(add("", shiftedRecord(kSize), "vk-lavapipe"), buffer, your_value)),
-        truth(setImage(add("", shiftedRecord(kSize), "gl-osmesa"), buffer, true_value)) {}
+      : yours(setImage(add("", shiftedRecord(kMadeSize), "vk-lavapipe"), buffer, your_value)),
+        truth(setImage(add("", shiftedRecord(kMadeSize), "gl-osmesa"), buffer, true_value)) {}
   Image& yours;
   Image& truth;
 };
@@ -70,11 +66,11 @@ TEST(RelativeError, IsAShareOfTheTruthNotOfTheAnswer) {
 
 TEST(RelativeError, TheWorstChannelCounts) {
   Bench bench;
-  Image yours(kSize, {"R", "G", "B"});
+  Image yours(kMadeSize, {"R", "G", "B"});
   Image truth = yours;
   yours.at(3, 3, 2) = 1.0F;
-  bench.add("", shiftedRecord(kSize), "vk-lavapipe").images["lit"] = &yours;
-  bench.add("", shiftedRecord(kSize), "gl-osmesa").images["lit"] = &truth;
+  bench.add("", shiftedRecord(kMadeSize), "vk-lavapipe").images["lit"] = &yours;
+  bench.add("", shiftedRecord(kMadeSize), "gl-osmesa").images["lit"] = &truth;
   const Expectation absolute =
       expectation("metric = \"absolute_error\"\nbuffer = \"lit\"\ntruth = \"cross:gl-osmesa\"\nmax = 0.5");
   EXPECT_EQ(outcomeName(bench.check(absolute)), "fail");

@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "check/verdict.h"
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kOwnX = 1;
 constexpr int kOwnY = 8;
 

@@ -7,12 +7,11 @@
 #include <limits>
 
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr auto kSingle = FloatFormat::kSingle;
 constexpr auto kHalf = FloatFormat::kHalf;
 
@@ -23,7 +22,7 @@ float next(float value, int steps = 1) {
   return value;
 }
 
-Image row(const std::vector<float>& values) {
+Image rowImage(const std::vector<float>& values) {
   Image image({static_cast<int>(values.size()), 1}, {"v"});
   image.data = values;
   return image;
@@ -65,8 +64,8 @@ TEST(Ledger, BinsHoldWhatTheySay) {
 }
 
 TEST(Ledger, ImagesAreCountedTexelByTexel) {
-  const Image a = row({1.0F, 1.0F, 1.0F, 1000.0F, kInfinity, kInfinity, kNan, 0.0F});
-  const Image b = row({1.0F, next(1.0F), next(1.0F, 6), 1000.5F, kInfinity, 5.0F, 1.0F, -0.0F});
+  const Image a = rowImage({1.0F, 1.0F, 1.0F, 1000.0F, kInfinity, kInfinity, kNaN, 0.0F});
+  const Image b = rowImage({1.0F, next(1.0F), next(1.0F, 6), 1000.5F, kInfinity, 5.0F, 1.0F, -0.0F});
   const LedgerEntry entry = compareForLedger(a, b, kSingle);
   EXPECT_EQ(entry.compared, 8U);
   EXPECT_EQ(entry.identical, 2U);  // 1 and the two infinities
@@ -83,9 +82,10 @@ TEST(Ledger, ImagesAreCountedTexelByTexel) {
 }
 
 TEST(Ledger, WhatIsNoNumberAgreesOrFlips) {
-  const float other_nan = std::bit_cast<float>(std::bit_cast<std::uint32_t>(kNan) | 1U);
-  const LedgerEntry entry = compareForLedger(row({kNan, kNan, kNan, kInfinity, kInfinity}),
-                                             row({kNan, other_nan, kInfinity, -kInfinity, kNan}), kSingle);
+  const float other_nan = std::bit_cast<float>(std::bit_cast<std::uint32_t>(kNaN) | 1U);
+  const LedgerEntry entry =
+      compareForLedger(rowImage({kNaN, kNaN, kNaN, kInfinity, kInfinity}),
+                       rowImage({kNaN, other_nan, kInfinity, -kInfinity, kNaN}), kSingle);
   EXPECT_EQ(entry.identical, 1U);
   EXPECT_EQ(entry.ulps[0], 2U);  // two NaN agree, whatever their payload
   EXPECT_EQ(entry.flips, 3U);
@@ -157,12 +157,12 @@ TEST(Ledger, ImagesOfTheFrameAreCountedOnceAndHalvesAsHalves) {
 }
 
 TEST(Ledger, EntriesAddUp) {
-  LedgerEntry sum = compareForLedger(row({1.0F, kNan}), row({next(1.0F), 2.0F}), kSingle);
-  sum += compareForLedger(row({4.0F}), row({5.0F}), kSingle);
+  LedgerEntry sum = compareForLedger(rowImage({1.0F, kNaN}), rowImage({next(1.0F), 2.0F}), kSingle);
+  sum += compareForLedger(rowImage({4.0F}), rowImage({5.0F}), kSingle);
   EXPECT_EQ(sum.compared, 3U);
   EXPECT_EQ(sum.flips, 1U);
   EXPECT_EQ(sum.max_relative, 0.2);
-  EXPECT_EQ(sum, compareForLedger(row({1.0F, kNan, 4.0F}), row({next(1.0F), 2.0F, 5.0F}), kSingle));
+  EXPECT_EQ(sum, compareForLedger(rowImage({1.0F, kNaN, 4.0F}), rowImage({next(1.0F), 2.0F, 5.0F}), kSingle));
 }
 
 }  // namespace

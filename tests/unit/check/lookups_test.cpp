@@ -7,11 +7,9 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 8};
-
 TEST(Lookups, MeanPercentileAndLargestLeaveMaskedPixelsOut) {
   Bench bench;
-  RayRecord record{kSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
+  RayRecord record{kMadeSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
   for (std::size_t i = 0; i < 20; ++i) {
     record.rays[i] = hitAt(1, 1, i == 19 ? 105 : 5);
   }
@@ -35,8 +33,8 @@ TEST(Lookups, RatiosAndGrowthAreOfTheMeans) {
     std::ranges::for_each(record.rays, [&](RayHit& ray) { ray.lookups = lookups; });
     return record;
   };
-  bench.add("hiz", all(kSize, 10));
-  bench.add("walk", all(kSize, 130));
+  bench.add("hiz", all(kMadeSize, 10));
+  bench.add("walk", all(kMadeSize, 130));
   bench.add("hiz", all({16, 16}, 16));
   const auto ratio = [](const char* min) {
     return expectation(std::string("metric = \"lookup_ratio\"\ntruth = \"stage:walk\"\nmin = ") + min);
@@ -48,7 +46,7 @@ TEST(Lookups, RatiosAndGrowthAreOfTheMeans) {
   };
   EXPECT_EQ(outcomeName(bench.check(added("6"), 2)), "pass");
   EXPECT_EQ(outcomeName(bench.check(added("5.9"), 2)), "fail");
-  bench.records.front() = all(kSize, 0);  // a stage that counts nothing proves nothing
+  bench.records.front() = all(kMadeSize, 0);  // a stage that counts nothing proves nothing
   EXPECT_EQ(outcomeName(bench.check(ratio("13"))), "error");
 }
 

@@ -13,6 +13,8 @@
 
 namespace ssrkit {
 
+inline constexpr Size kMadeSize{8, 8};  // of records in which a few rays or texels are changed
+
 inline RayHit hitAt(int x, int y, std::uint32_t lookups = 10) {
   RayHit hit;
   hit.ray_class = RayClass::kHit;

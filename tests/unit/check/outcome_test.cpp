@@ -9,9 +9,8 @@
 namespace ssrkit {
 namespace {
 
-using enum Outcome;
-
 TEST(Outcome, EveryNameLeadsBackToItsOutcome) {
+  using enum Outcome;
   for (int i = 0; i < kOutcomeCount; ++i) {
     const auto outcome = static_cast<Outcome>(i);
     EXPECT_EQ(outcomeFromName(name(outcome)), outcome);
@@ -21,23 +20,27 @@ TEST(Outcome, EveryNameLeadsBackToItsOutcome) {
 }
 
 TEST(Outcome, ARunIsWellOnlyWhenSomethingRanAndNothingFailed) {
+  using enum Outcome;
   EXPECT_EQ(exitCode(std::vector{kPass, kWarn, kXfail, kSkip}), 0);
   EXPECT_EQ(exitCode(std::vector<Outcome>{}), 1);
   EXPECT_EQ(exitCode(std::vector{kSkip, kSkip}), 1);
 }
 
 TEST(Outcome, EveryKindOfFailureGivesOneAndBeatsDoubt) {
+  using enum Outcome;
   for (const Outcome failure : {kFail, kError, kCrash, kTimeout, kLimiter, kMissing, kXpass}) {
     EXPECT_EQ(exitCode(std::vector{kPass, failure, kInconclusive}), 1) << name(failure);
   }
 }
 
 TEST(Outcome, OnlyDoubtGivesFour) {
+  using enum Outcome;
   EXPECT_EQ(exitCode(std::vector{kPass, kFlake}), 4);
   EXPECT_EQ(exitCode(std::vector{kPass, kInconclusive}), 4);
 }
 
 TEST(Outcome, TheClosingLineCountsWhatRan) {
+  using enum Outcome;
   EXPECT_EQ(closingLine(std::vector{kPass, kXfail, kWarn, kFail, kCrash}), "3 passed, 2 failed");
   EXPECT_EQ(closingLine(std::vector{kPass, kSkip}), "1 passed, 0 failed, 1 skipped");
   EXPECT_EQ(closingLine(std::vector{kFlake, kInconclusive}), "0 passed, 0 failed");

@@ -9,13 +9,13 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 32};
+constexpr Size kRowsSize{8, 32};
 
 // A mirror whose hit moves by a texel a row, as the truth has it; `held` rows show the same texel.
 RayRecord heldRows(int held) {
-  RayRecord record{kSize, {}};
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  RayRecord record{kRowsSize, {}};
+  for (int y = 0; y < kRowsSize.height; ++y) {
+    for (int x = 0; x < kRowsSize.width; ++x) {
       record.rays.push_back(hitAt(x, 100 - y / held * held));
     }
   }
@@ -83,7 +83,7 @@ TEST(FlipMetric, IsTheMeanOverThePixelsWithARay) {
   yours->at(4, 28) = 0.9F;
   yours->at(1, 2) = 0.9F;  // no ray there
   bench.setImage(bench.add("walk", record), "composite", 0.2F);
-  Image flat(kSize, {"v"});
+  Image flat(kRowsSize, {"v"});
   std::ranges::fill(flat.data, 0.2F);
   const Image map = flipMap(flat, *yours);
   const std::size_t half = map.data.size() / 2;

@@ -1,21 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 8};
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
 // The outcome of a property on a sound record in which one ray was changed.
 std::string withRay(const std::string& metric, const std::function<void(RayHit&)>& change) {
   Bench bench;
-  bench.add("hiz", shiftedRecord(kSize)).parameters.lookup_budget = 10;
+  bench.add("hiz", shiftedRecord(kMadeSize)).parameters.lookup_budget = 10;
   change(bench.records.front().rays[9]);  // of the pixel (1, 1), which hits (1, 5)
   return outcomeName(bench.check(expectation("metric = \"" + metric + "\"")));
 }
@@ -31,7 +28,7 @@ TEST(Properties, ASoundRecordHasThemAll) {
 
 TEST(Properties, PositionsAndDistancesAreFinite) {
   EXPECT_EQ(withRay("finite", [](RayHit& ray) { ray.px_y = kNaN; }), "fail");
-  EXPECT_EQ(withRay("finite", [](RayHit& ray) { ray.t_m = std::numeric_limits<float>::infinity(); }), "fail");
+  EXPECT_EQ(withRay("finite", [](RayHit& ray) { ray.t_m = kInfinity; }), "fail");
   EXPECT_EQ(withRay("finite", [](RayHit& ray) { ray.t_m = -0.5F; }), "fail");
 }
 
@@ -71,7 +68,7 @@ TEST(Properties, AClassAndItsTexelAgree) {
 TEST(Properties, AClassThatDoesNotExistIsToldByItsNumber) {
   for (const int number : {kRayClassCount, 200, kLastRayClassNumber}) {
     Bench bench;
-    bench.add("hiz", shiftedRecord(kSize));
+    bench.add("hiz", shiftedRecord(kMadeSize));
     RayHit& ray = bench.records.front().rays[9];
     ray = without(RayClass::kIntoSurface);
     ray.ray_class = static_cast<RayClass>(number);
@@ -84,17 +81,17 @@ TEST(Properties, AClassThatDoesNotExistIsToldByItsNumber) {
 
 TEST(Properties, ImagesAreFiniteButForTheBackgroundsDistance) {
   Bench bench;
-  Answer& answer = bench.add("", shiftedRecord(kSize));
+  Answer& answer = bench.add("", shiftedRecord(kMadeSize));
   Image& depth = bench.setImage(answer, "dist_view", 3.0F);
   Image& lit = bench.setImage(bench.answers[0], "lit", 0.5F);
   const Expectation finite_depth = expectation("metric = \"finite\"\nbuffer = \"dist_view\"");
   const Expectation finite_lit = expectation("metric = \"finite\"\nbuffer = \"lit\"");
-  depth.at(1, 1) = std::numeric_limits<float>::infinity();
+  depth.at(1, 1) = kInfinity;
   EXPECT_EQ(outcomeName(bench.check(finite_depth)), "pass");
   EXPECT_EQ(outcomeName(bench.check(finite_lit)), "pass");
-  depth.at(1, 1) = -std::numeric_limits<float>::infinity();
+  depth.at(1, 1) = -kInfinity;
   EXPECT_EQ(outcomeName(bench.check(finite_depth)), "fail");
-  lit.at(1, 1) = std::numeric_limits<float>::infinity();
+  lit.at(1, 1) = kInfinity;
   EXPECT_EQ(outcomeName(bench.check(finite_lit)), "fail");
   EXPECT_EQ(outcomeName(bench.check(expectation("metric = \"finite\"\nbuffer = \"motion\""))), "error");
 }

@@ -10,13 +10,11 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{8, 8};
-
 // One stage's answer and the oracle's, equal until a test changes one.
 struct AgainstOracle : Bench {
   AgainstOracle() {
-    Answer& answer = add("hiz", shiftedRecord(kSize));
-    setOracle(answer, shiftedRecord(kSize));
+    Answer& answer = add("hiz", shiftedRecord(kMadeSize));
+    setOracle(answer, shiftedRecord(kMadeSize));
     setWorld(answer, 4.0F);
   }
   RayHit& ray(std::size_t i) { return records.front().rays[i]; }
@@ -53,7 +51,7 @@ TEST(DifferentRays, WithoutATruthTheCheckIsAnError) {
   EXPECT_EQ(outcomeName(bench.check(stage)), "error");
   bench.add("walk", shiftedRecord({16, 16}));
   EXPECT_EQ(outcomeName(bench.check(stage)), "error");  // of another size
-  bench.add("walk", shiftedRecord(kSize));
+  bench.add("walk", shiftedRecord(kMadeSize));
   EXPECT_EQ(outcomeName(bench.check(stage)), "pass");
   bench.records.back().rays[0].texel_y += 1;
   EXPECT_EQ(outcomeName(bench.check(stage)), "fail");
@@ -63,7 +61,7 @@ TEST(DifferentRays, WithoutATruthTheCheckIsAnError) {
 
 TEST(DifferentRays, AnImageWithoutARayFailsUnlessItIsAllowed) {
   Bench bench;
-  const RayRecord masked{kSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
+  const RayRecord masked{kMadeSize, std::vector<RayHit>(64, without(RayClass::kMasked))};
   bench.setOracle(bench.add("hiz", masked), masked);
   const CheckResult result = bench.check(expectation("metric = \"different_rays\""));
   EXPECT_EQ(outcomeName(result), "fail");
@@ -160,8 +158,8 @@ TEST(ClosedForm, TheFormulaOfM1MovesOneRowAndTheCheckFails) {
 
 TEST(Identical, AnyBitOfTheRecordCountsUnlessItsFieldIsIgnored) {
   Bench bench;
-  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
-  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  bench.add("hiz", shiftedRecord(kMadeSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa");
   const Expectation all = expectation("metric = \"identical\"\ntruth = \"cross:gl-osmesa\"");
   const Expectation most =
       expectation("metric = \"identical\"\ntruth = \"cross:gl-osmesa\"\nignore = [\"lookups\", \"steps\"]");
@@ -178,8 +176,8 @@ TEST(Identical, AnyBitOfTheRecordCountsUnlessItsFieldIsIgnored) {
 
 TEST(DifferentRays, MissesOfDifferentClassesDiffer) {
   Bench bench;
-  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
-  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  bench.add("hiz", shiftedRecord(kMadeSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa");
   const Expectation none = expectation("metric = \"different_rays\"\ntruth = \"cross:gl-osmesa\"");
   bench.records[0].rays[3] = without(RayClass::kRange);
   bench.records[1].rays[3] = without(RayClass::kRange);
@@ -190,8 +188,8 @@ TEST(DifferentRays, MissesOfDifferentClassesDiffer) {
 
 TEST(MaskFlips, AreCountedPerMillionPixels) {
   Bench bench;
-  bench.add("hiz", shiftedRecord(kSize), "vk-lavapipe");
-  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa");
+  bench.add("hiz", shiftedRecord(kMadeSize), "vk-lavapipe");
+  bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa");
   const Expectation one = expectation(
       "metric = \"mask_flips_per_million\"\ntruth = \"cross:gl-osmesa\"\nmax = 15625");  // 1 of 64
   bench.records.front().rays[3] = without(RayClass::kRange);
@@ -205,8 +203,8 @@ TEST(HitPosition, AHitInAnotherTexelCountsAgainstAnotherCase) {
   const Expectation moved =
       expectation("metric = \"hit_position_px\"\ntruth = \"case:a\"\npercentile = 90\nmax = 0.5", cases);
   Bench bench;
-  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", "a");
-  bench.add("hiz", shiftedRecord(kSize), "gl-osmesa", "b");
+  bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa", "a");
+  bench.add("hiz", shiftedRecord(kMadeSize), "gl-osmesa", "b");
   EXPECT_EQ(outcomeName(bench.check(moved, 1)), "pass");
   for (std::size_t i = 0; i < 58; ++i) {  // nine in ten
     bench.records.back().rays[i].texel_x += 10;

@@ -90,7 +90,7 @@ RayHit missAfter(std::uint32_t steps) {
   return hit;
 }
 
-constexpr int kSteps = 40;
+constexpr int kMarchSteps = 40;
 constexpr double kStepM = 0.25;
 
 TraceParameters marchParameters() {
@@ -102,14 +102,14 @@ TraceParameters marchParameters() {
 
 TEST(Sampling, OfEvenStepsInSpaceIsTheFormulas) {
   World world;
-  world.add("naive", marchParameters(), [](int, int) { return missAfter(kSteps); });
+  world.add("naive", marchParameters(), [](int, int) { return missAfter(kMarchSteps); });
   std::size_t again = 0;
   std::size_t skipped = 0;
   std::size_t moved = 0;
   for (int row = kFirstFloorRow; row < kSide; ++row) {
     for (int x = 0; x < kSide; ++x) {
       int before = row;
-      for (int i = 1; i <= kSteps; ++i) {
+      for (int i = 1; i <= kMarchSteps; ++i) {
         const int now = rowAfter(x, row, i * kStepM);
         again += now == before ? 1U : 0U;
         moved += static_cast<std::size_t>(before - now);
@@ -118,7 +118,7 @@ TEST(Sampling, OfEvenStepsInSpaceIsTheFormulas) {
       }
     }
   }
-  const auto samples = static_cast<double>((kSide - kFirstFloorRow) * kSide * kSteps);
+  const auto samples = static_cast<double>((kSide - kFirstFloorRow) * kSide * kMarchSteps);
   const CheckResult again_check =
       world.bench.check(expectation("metric = \"resampled_share\"\nmax = 0.0001"));
   EXPECT_DOUBLE_EQ(again_check.value.value_or(-1.0), static_cast<double>(again) / samples);
@@ -134,11 +134,11 @@ TEST(Sampling, OfEvenStepsInSpaceIsTheFormulas) {
 
 TEST(Sampling, TheHistogramCountsEverySampleByItsMove) {
   World world;
-  world.add("naive", marchParameters(), [](int, int) { return missAfter(kSteps); });
+  world.add("naive", marchParameters(), [](int, int) { return missAfter(kMarchSteps); });
   std::map<std::string, std::size_t> expected;
   for (int row = kFirstFloorRow; row < kSide; ++row) {
     for (int x = 0; x < kSide; ++x) {
-      for (int i = 1; i <= kSteps; ++i) {
+      for (int i = 1; i <= kMarchSteps; ++i) {
         const int moved = rowAfter(x, row, (i - 1) * kStepM) - rowAfter(x, row, i * kStepM);
         ++expected[moved == 0    ? "again"
                    : moved == 1  ? "1 on"

@@ -3,26 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 
 #include "check/ray_pairs.h"
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{16, 16};
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr Size kSignatureSize{16, 16};
 
 // The id of the signature of a tracer that gives `mistake(x, y, truth)` where the truth is `truth(x, y)`.
-using Truth = std::function<RayHit(int x, int y)>;
-using Mistake = std::function<RayHit(int x, int y, const RayHit& truth)>;
+using TruthAt = std::function<RayHit(int x, int y)>;
+using MistakeAt = std::function<RayHit(int x, int y, const RayHit& truth)>;
 
 struct Made {
   Bench bench;
   RayPairs pairs;
 
-  Made(const Truth& truth, const Mistake& mistake, Size size = kSize) {
+  Made(const TruthAt& truth, const MistakeAt& mistake, Size size = kSignatureSize) {
     RayRecord yours{size, {}};
     RayRecord expected{size, {}};
     for (int y = 0; y < size.height; ++y) {

@@ -11,9 +11,9 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{32, 32};
+constexpr Size kFloorSize{32, 32};
 constexpr float kWall = 4.0F;
-constexpr int kSteps = 16;
+constexpr int kStepCount = 16;
 
 const char* const kInStep = "metric = \"hit_in_step_share\"\nmin = 0.95\nallow_empty = true";
 const char* const kOffRay = "metric = \"hit_off_ray_share\"\nmax = 0\nallow_empty = true";
@@ -21,25 +21,26 @@ const char* const kOffRay = "metric = \"hit_off_ray_share\"\nmax = 0\nallow_empt
 // A mirror floor one metre below the camera, and a wall; the stage says what the oracle says until a test
 // changes it.
 struct OverFloor : Bench {
-  explicit OverFloor(const std::string& stage = "naive", double thickness_m = 1e9, int rows = kSize.height) {
-    Answer& answer = add(stage, RayRecord{kSize, std::vector<RayHit>(1024)});
+  explicit OverFloor(const std::string& stage = "naive", double thickness_m = 1e9,
+                     int rows = kFloorSize.height) {
+    Answer& answer = add(stage, RayRecord{kFloorSize, std::vector<RayHit>(1024)});
     OracleInput& input = setWorld(answer, kWall);
     Image& normals = images.back();
     Image& depth = images[images.size() - 2];
-    Image& mask = images.emplace_back(kSize, std::vector<std::string>{"mask"});
-    for (int y = 0; y < kSize.height; ++y) {
+    Image& mask = images.emplace_back(kFloorSize, std::vector<std::string>{"mask"});
+    for (int y = 0; y < kFloorSize.height; ++y) {
       const float floor_dist = 1.0F / (2.0F * (static_cast<float>(y) + 0.5F) / 32.0F - 1.0F);
-      for (int x = 0; x < kSize.width && floor_dist > 0.0F && floor_dist < kWall; ++x) {
+      for (int x = 0; x < kFloorSize.width && floor_dist > 0.0F && floor_dist < kWall; ++x) {
         depth.at(x, y, 0) = floor_dist;
         normals.at(x, y, 1) = 1.0F;
         normals.at(x, y, 2) = 0.0F;
-        mask.at(x, y, 0) = y >= kSize.height - rows ? 1.0F : 0.0F;
+        mask.at(x, y, 0) = y >= kFloorSize.height - rows ? 1.0F : 0.0F;
       }
     }
     input.mask = &mask;
     input.parameters.thickness_m = thickness_m;
     answer.parameters = input.parameters;
-    answer.parameters.step_count = kSteps;
+    answer.parameters.step_count = kStepCount;
     answer.parameters.bisection_count = 0;
     const auto truth = traceOracle(input, 1);
     EXPECT_TRUE(truth.has_value());
@@ -52,14 +53,14 @@ struct OverFloor : Bench {
   void moveHits(double share) {
     const OracleInput& input = inputs.front();
     const PixelProjection projection = pixelProjection(*input.camera);
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
-        RayHit& hit = records.front().rays[static_cast<std::size_t>(y * kSize.width + x)];
+    for (int y = 0; y < kFloorSize.height; ++y) {
+      for (int x = 0; x < kFloorSize.width; ++x) {
+        RayHit& hit = records.front().rays[static_cast<std::size_t>(y * kFloorSize.width + x)];
         if (hit.ray_class != RayClass::kHit) {
           continue;
         }
         const ImageRay ray = pixelRay(input, projection, x, y).ray;
-        const double t_m = hit.t_m + share * lengthMetres(ray) / kSteps;
+        const double t_m = hit.t_m + share * lengthMetres(ray) / kStepCount;
         const glm::dvec2 px = ray.pxAt(sigmaAtMetres(ray, t_m));
         hit.t_m = static_cast<float>(t_m);
         hit.px_x = static_cast<float>(px.x);

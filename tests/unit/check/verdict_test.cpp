@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "made_answers.h"
+#include "not_finite.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A 1-row image in which one ray is held against one answer of the oracle.
 Verdict verdictOf(const RayHit& yours, const RayHit& oracle, Ambiguity ambiguity = Ambiguity::kNone) {

@@ -119,7 +119,7 @@ TEST(CellRecord, OutcomeIsTheGravest) {
 }
 
 TEST(CellStore, KeepsOneFileACell) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   const CellRecord record = madeRecord("t/m1/64x36/gl-a", Outcome::kPass);
   ASSERT_TRUE(store.write(record).has_value());
@@ -132,7 +132,7 @@ TEST(CellStore, KeepsOneFileACell) {
 }
 
 TEST(CellStore, AResultOfOtherInputsIsNotFinished) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   const CellRecord record = madeRecord("t/m1/64x36/gl-a", Outcome::kPass);
   ASSERT_TRUE(store.write(record).has_value());
@@ -141,7 +141,7 @@ TEST(CellStore, AResultOfOtherInputsIsNotFinished) {
 }
 
 TEST(CellStore, ADamagedResultIsNotFinishedAndAnErrorToReaders) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   const CellRecord record = madeRecord("t/m1/64x36/gl-a", Outcome::kPass);
   ASSERT_TRUE(store.write(record).has_value());
@@ -151,7 +151,7 @@ TEST(CellStore, ADamagedResultIsNotFinishedAndAnErrorToReaders) {
 }
 
 TEST(CellStore, AResultUnderAnothersNameIsAnError) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   ASSERT_TRUE(store.write(madeRecord("t/m1/64x36/gl-a", Outcome::kPass)).has_value());
   std::filesystem::copy_file(store.fileOf("t/m1/64x36/gl-a"), store.fileOf("t/m1/64x36/gl-b"));
@@ -159,7 +159,7 @@ TEST(CellStore, AResultUnderAnothersNameIsAnError) {
 }
 
 TEST(CellStore, RemovingTakesTheRecordAndItsPicturesAlone) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   for (const char* id : {"t/m1/64x36/gl-a", "t/m1/64x36/gl-ab"}) {
     ASSERT_TRUE(store.write(madeRecord(id, Outcome::kFail)).has_value());
@@ -174,7 +174,7 @@ TEST(CellStore, RemovingTakesTheRecordAndItsPicturesAlone) {
 }
 
 TEST(CellStore, PlansSurvive) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const CellStore store(folder.path());
   const Manifest manifest = madeManifest({2, 2});
   ASSERT_TRUE(store.write(manifest).has_value());

@@ -43,7 +43,7 @@ class Inputs : public ::testing::Test {
     return inputs.value_or("");
   }
 
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path goldens_ = "goldens/t/scene";
   DeviceIdentity device_{.id = "d", .driver = "llvm", .version = "22.3.6", .cpu_features = {"avx2"}};
 };

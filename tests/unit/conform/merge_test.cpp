@@ -24,7 +24,7 @@ class Merge : public ::testing::Test {
     return folder_.path() / name;
   }
 
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(Merge, TwoShardsAreTheWholeInThePlansOrder) {

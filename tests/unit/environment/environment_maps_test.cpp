@@ -37,7 +37,7 @@ class Environment : public ::testing::Test {
 
   static inline const EnvironmentSource kGradient{
       .file = {}, .horizon = {0.5F, 0.6F, 0.7F}, .zenith = {0.1F, 0.2F, 0.4F}, .is_constant = false};
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 bool sameNumbers(const EnvironmentMaps& a, const EnvironmentMaps& b) {

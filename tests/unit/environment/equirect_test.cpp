@@ -20,7 +20,7 @@ class EquirectFile : public ::testing::Test {
   }
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "sky.exr"; }
 
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 Image rgb(Size size, float value = 0.5F) {

@@ -12,7 +12,6 @@
 namespace ssrkit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr glm::vec3 kHorizon{0.55F, 0.65F, 0.75F};
 constexpr glm::vec3 kZenith{0.18F, 0.30F, 0.55F};
 
@@ -38,13 +37,13 @@ glm::dvec3 lobeMean(const RadianceFunction& radiance, glm::dvec3 normal, double 
   double weights = 0.0;
   for (int i = 0; i < kPolar; ++i) {
     const double u = (i + 0.5) / kPolar;
-    const double angle = kPi / 2.0 * u * u;  // finer near the middle
-    const double width = kPi * u;
+    const double angle = std::numbers::pi / 2.0 * u * u;  // finer near the middle
+    const double width = std::numbers::pi * u;
     const double cos_half = std::cos(angle / 2.0);
     const double shape = cos_half * cos_half * (alpha2 - 1.0) + 1.0;
     const double weight = std::cos(angle) * std::sin(angle) * width / (shape * shape);
     for (int j = 0; j < kAzimuth; ++j) {
-      const double azimuth = 2.0 * kPi * (j + 0.5) / kAzimuth;
+      const double azimuth = 2.0 * std::numbers::pi * (j + 0.5) / kAzimuth;
       const glm::dvec3 direction =
           std::cos(angle) * normal + std::sin(angle) * (std::cos(azimuth) * side + std::sin(azimuth) * other);
       sum += weight * glm::dvec3(radiance(glm::vec3(direction)));
@@ -105,7 +104,8 @@ TEST(Prefilter, CosineIsTheIrradianceInClosedForm) {
       const bool on_border = x == 0 || y == 0 || x == map.side - 1 || y == map.side - 1;
       if (!on_border) {
         const double angle = std::acos(static_cast<double>(directionFromOctahedral(map.square(x, y)).y));
-        const double expected = 2.0 / (3.0 * kPi) * ((kPi - angle) * std::cos(angle) + std::sin(angle));
+        const double expected =
+            2.0 / (3.0 * std::numbers::pi) * ((std::numbers::pi - angle) * std::cos(angle) + std::sin(angle));
         worst = std::max(worst, std::abs(static_cast<double>(map.at(x, y).g) - expected));
       }
     }
@@ -126,7 +126,7 @@ TEST(Prefilter, TheChainKeepsTheMeanRadiance) {
       }
     }
     const double share = (1.0 - 0.9397) / 2.0;  // of the sphere, within the disc
-    EXPECT_NEAR(sum / (4.0 * kPi), 0.1 + share * 4.9, 1e-3) << level.inner();
+    EXPECT_NEAR(sum / (4.0 * std::numbers::pi), 0.1 + share * 4.9, 1e-3) << level.inner();
   }
 }
 

@@ -10,8 +10,6 @@
 namespace ssrkit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double g1(double cosine, double alpha2) {
   return 2.0 * cosine / (cosine + std::sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine));
 }
@@ -38,13 +36,13 @@ glm::dvec2 reference(double cos_view, double roughness) {
     const double sine = std::sin(angle);
     const double shape = cosine * cosine * (alpha2 - 1.0) + 1.0;
     for (int j = 0; j < kSide; ++j) {
-      const double azimuth = kPi * (j + 0.5) / kSide;
+      const double azimuth = std::numbers::pi * (j + 0.5) / kSide;
       const double cos_half = sin_view * sine * std::cos(azimuth) + cos_view * cosine;
       const double cos_light = 2.0 * cos_half * cosine - cos_view;
       if (cos_half > 0.0 && cos_light > 0.0) {
-        const double brdf =
-            alpha2 / (kPi * shape * shape) * g2(cos_light, cos_view, alpha2) / (4.0 * cos_light * cos_view);
-        const double solid_angle = 4.0 * cos_half * sine * width * 2.0 * kPi / kSide;
+        const double brdf = alpha2 / (std::numbers::pi * shape * shape) * g2(cos_light, cos_view, alpha2) /
+                            (4.0 * cos_light * cos_view);
+        const double solid_angle = 4.0 * cos_half * sine * width * 2.0 * std::numbers::pi / kSide;
         const double rise = std::pow(1.0 - cos_half, 5.0);
         sum += brdf * cos_light * solid_angle * glm::dvec2(1.0 - rise, rise);
       }
@@ -69,7 +67,7 @@ TEST(SplitSum, IsWithinItsStatedErrorOfAMillionPoints) {
 
 TEST(SplitSum, OfAMirrorIsSchlicksFresnel) {
   for (int degrees = 0; degrees <= 75; degrees += 15) {
-    const double cosine = std::cos(degrees * kPi / 180.0);
+    const double cosine = std::cos(degrees * std::numbers::pi / 180.0);
     const glm::vec2 computed = splitSum(static_cast<float>(cosine), 0.02F);
     EXPECT_NEAR(static_cast<double>(computed.y), std::pow(1.0 - cosine, 5.0), 1e-3) << degrees;
     EXPECT_NEAR(static_cast<double>(computed.x + computed.y), 1.0, 1e-3) << degrees;

@@ -15,15 +15,15 @@ class AccumulateTest : public TemporalTest {
     giveRamp("previous_accumulated");
     give("previous_history_length",
          imageOf(
-             kSize, [](int, int) { return std::array<double, 4>{3.0}; }, 1),
+             kRoomSize, [](int, int) { return std::array<double, 4>{3.0}; }, 1),
          Format::kR32f);
     const auto chequer = [](int x, int y) { return static_cast<double>((x + y) % 2); };
-    give("reflection", imageOf(kSize, [&](int x, int y) {
+    give("reflection", imageOf(kRoomSize, [&](int x, int y) {
            return std::array{chequer(x, y), chequer(x, y), 0.0, 1.0};
          }));
-    Image history = drawAll(shader, kSize, {Format::kRgba32f, Format::kR32f}).front();
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    Image history = drawAll(shader, kRoomSize, {Format::kRgba32f, Format::kR32f}).front();
+    for (int y = 0; y < kRoomSize.height; ++y) {
+      for (int x = 0; x < kRoomSize.width; ++x) {
         for (const std::size_t channel : {0U, 1U}) {
           float& value = history.at(x, y, channel);
           value = (4.0F * value - static_cast<float>(chequer(x, y))) / 3.0F;
@@ -41,7 +41,7 @@ TEST_P(AccumulateTest, AReflectionMovesLikeTheImageBehindTheMirror) {
   const Check check = [&](const std::string& shader) {
     giveRoom(step);
     return readsHistoryAt(shader, [&](int x, int y) {
-      return pxOf(previousView(viewOf({x + 0.5, y + 0.5}, kWallM), step));
+      return roomPxOf(previousView(roomViewOf({x + 0.5, y + 0.5}, kWallM), step));
     });
   };
   holdsAndKills(check, "accumulate.frag", {"accumulate_by_receiver"});
@@ -58,7 +58,7 @@ TEST_P(AccumulateTest, AStillPictureIsAFixedPoint) {
   giveRoom({});
   std::mt19937 random(11);
   std::uniform_real_distribution<float> colour(0.0F, 10.0F);
-  Image reflection(kSize, {"R", "G", "B", "A"});
+  Image reflection(kRoomSize, {"R", "G", "B", "A"});
   std::ranges::generate(reflection.data, [&] { return colour(random); });
   for (std::size_t i = 3; i < reflection.data.size(); i += 4) {
     reflection.data[i] = 1.0F;
@@ -67,9 +67,9 @@ TEST_P(AccumulateTest, AStillPictureIsAFixedPoint) {
   give("previous_accumulated", reflection);
   give("previous_history_length",
        imageOf(
-           kSize, [](int, int) { return std::array<double, 4>{4.0}; }, 1),
+           kRoomSize, [](int, int) { return std::array<double, 4>{4.0}; }, 1),
        Format::kR32f);
-  const std::vector<Image> got = drawAll("accumulate.frag", kSize, {Format::kRgba32f, Format::kR32f});
+  const std::vector<Image> got = drawAll("accumulate.frag", kRoomSize, {Format::kRgba32f, Format::kR32f});
   EXPECT_EQ(got[0].data, reflection.data);
   EXPECT_EQ(got[1].at(100, 200), 5.0F);
   EXPECT_EQ(got[1].at(100, 20), 0.0F);
@@ -80,17 +80,17 @@ TEST_P(AccumulateTest, APlaneKeepsItsHistoryUnderTheNarrowestTolerance) {
   giveRoom({});
   values_.set("disocclusion_rel", 1e-5);
   const auto constant = [](double value) {
-    return imageOf(kSize, [=](int, int) { return std::array{value, value, value, 1.0}; });
+    return imageOf(kRoomSize, [=](int, int) { return std::array{value, value, value, 1.0}; });
   };
   give("reflection", constant(0.5));
   give("previous_accumulated", constant(0.5));
   give("previous_history_length",
        imageOf(
-           kSize, [](int, int) { return std::array<double, 4>{4.0}; }, 1),
+           kRoomSize, [](int, int) { return std::array<double, 4>{4.0}; }, 1),
        Format::kR32f);
-  const Image length = drawAll("accumulate.frag", kSize, {Format::kRgba32f, Format::kR32f})[1];
-  for (int y = kFloorRow; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  const Image length = drawAll("accumulate.frag", kRoomSize, {Format::kRgba32f, Format::kR32f})[1];
+  for (int y = kFloorRow; y < kRoomSize.height; ++y) {
+    for (int x = 0; x < kRoomSize.width; ++x) {
       ASSERT_EQ(length.at(x, y), 5.0F) << x << " " << y;
     }
   }
@@ -99,14 +99,14 @@ TEST_P(AccumulateTest, APlaneKeepsItsHistoryUnderTheNarrowestTolerance) {
 TEST_P(AccumulateTest, AGhostIsClampedToTheNeighbours) {
   const Check check = [&](const std::string& shader) {
     giveRoom({});
-    give("reflection", imageOf(kSize, [](int, int) { return std::array{0.5, 0.5, 0.5, 1.0}; }));
-    give("previous_accumulated", imageOf(kSize, [](int, int) { return std::array{5.0, 0.0, 0.5, 1.0}; }));
+    give("reflection", imageOf(kRoomSize, [](int, int) { return std::array{0.5, 0.5, 0.5, 1.0}; }));
+    give("previous_accumulated", imageOf(kRoomSize, [](int, int) { return std::array{5.0, 0.0, 0.5, 1.0}; }));
     give("previous_history_length",
          imageOf(
-             kSize, [](int, int) { return std::array<double, 4>{9.0}; }, 1),
+             kRoomSize, [](int, int) { return std::array<double, 4>{9.0}; }, 1),
          Format::kR32f);
-    return difference(drawAll(shader, kSize, {Format::kRgba32f, Format::kR32f}).front(),
-                      imageOf(kSize,
+    return difference(drawAll(shader, kRoomSize, {Format::kRgba32f, Format::kR32f}).front(),
+                      imageOf(kRoomSize,
                               [](int, int) {
                                 return std::array{0.5, 0.5, 0.5, 1.0};
                               }),

@@ -2,17 +2,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "frame/gbuffer_source.h"
+#include "infinity.h"
 #include "pass_test.h"
 
 namespace ssrkit {
 namespace {
 
 constexpr double kSamplingError = 0.025;  // of four columns' mean: 32 points in each of sixteen turns
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Camera camera(Size size) {
   return {.size = size,
@@ -24,7 +23,7 @@ Camera camera(Size size) {
 }
 
 // x / dist_view and y / dist_view of a texel's centre.
-glm::dvec2 rayOf(Size size, int x, int y) {
+glm::dvec2 slopeAt(Size size, int x, int y) {
   const PixelProjection projection = pixelProjection(camera(size));
   return (glm::dvec2(x + 0.5, y + 0.5) - projection.px_offset) / projection.px_scale;
 }
@@ -48,7 +47,7 @@ class AoTest : public PassTest {
     Image normal_view(size, {"R", "G", "B", "A"});
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const Texel texel = surface(rayOf(size, x, y));
+        const Texel texel = surface(slopeAt(size, x, y));
         dist_view.at(x, y) = static_cast<float>(texel.dist_view);
         for (int i = 0; i < 3; ++i) {
           normal_view.at(x, y, static_cast<std::size_t>(i)) = static_cast<float>(texel.normal[i]);
@@ -154,7 +153,7 @@ TEST_P(AoTest, ARightAngleHasItsClosedForm) {
         for (int y = 30; y < 90; ++y) {
           found += drawn.at(x, y) / 240.0;
         }
-        const glm::dvec2 ray = rayOf(size, x, 60);
+        const glm::dvec2 ray = slopeAt(size, x, 60);
         const double across_m = std::abs(ray.x) * 4.0 / (1.0 + std::abs(ray.x));
         expected += cornerVisibility(std::numbers::sqrt2 * across_m / radius_m) / 4.0;
       }
@@ -236,7 +235,7 @@ TEST_P(AoTest, ABlurTakesThePatternOutOfASlantedPlane) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       noisy.at(x, y, 0) = static_cast<float>(4 * (y % 4) + (x % 4));
-      noisy.at(x, y, 1) = static_cast<float>(dist(rayOf(size, x, y)));
+      noisy.at(x, y, 1) = static_cast<float>(dist(slopeAt(size, x, y)));
     }
   }
   giveNoisy(noisy);

@@ -1,14 +1,11 @@
 // The blur's radius against the cone's geometry.
 #include <cmath>
 
+#include "blur_image.h"
 #include "pass_test.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr Size kSize{61, 47};
-constexpr double kPxScale = 80.0;
-constexpr double kDist = 5.0;
 
 // How much wider than an even disc the kernel (1 - x^2)^2 must be for the same variance along an axis, by
 // quadrature.
@@ -34,29 +31,29 @@ class BlurGuideTest : public PassTest {
   // blur_guide's radius over a floor of columns of roughness and rows of t_m, -1 for a miss.
   Image guide(const std::string& shader, double max_radius_px) {
     begin();
-    values_.set("px_scale", glm::dvec2(kPxScale, -kPxScale));
-    values_.set("px_offset", glm::dvec2(kSize.width / 2.0, kSize.height / 2.0));
-    values_.set("view_per_px", 1.0 / glm::dvec2(kPxScale, -kPxScale));
+    values_.set("px_scale", glm::dvec2(kBlurPxScale, -kBlurPxScale));
+    values_.set("px_offset", glm::dvec2(kBlurSize.width / 2.0, kBlurSize.height / 2.0));
+    values_.set("view_per_px", 1.0 / glm::dvec2(kBlurPxScale, -kBlurPxScale));
     values_.set("max_radius_px", max_radius_px);
-    give("material", imageOf(kSize, [](int x, int y) {
+    give("material", imageOf(kBlurSize, [](int x, int y) {
            return std::array{1.0, roughness(x), y == 46 ? 0.0 : 1.0, 1.0};
          }));
     give("dist_view",
          imageOf(
-             kSize, [](int, int) { return std::array<double, 4>{kDist}; }, 1),
+             kBlurSize, [](int, int) { return std::array<double, 4>{kBlurDist}; }, 1),
          Format::kR32f);
     giveIntegers("hit_texel",
                  imageOf(
-                     kSize,
+                     kBlurSize,
                      [](int, int y) {
                        return std::array<double, 4>{y == 45 ? -1.0 : 3.0, 0.0};
                      },
                      2),
                  Format::kRg16i);
-    give("hit_point", imageOf(kSize, [](int, int y) {
+    give("hit_point", imageOf(kBlurSize, [](int, int y) {
            return std::array{0.0, 0.0, y == 45 ? -1.0 : t_m(y), 0.0};
          }));
-    return draw(shader, kSize, Format::kRg32f);
+    return draw(shader, kBlurSize, Format::kRg32f);
   }
   static double roughness(int x) { return x / 62.0; }
   static double t_m(int y) { return 0.1 * y * y; }
@@ -66,25 +63,26 @@ TEST_P(BlurGuideTest, TheRadiusIsTheConesCircleSeenInTheMirrorAnd0AtContact) {
   const double kernel_per_circle = kernelPerCircle();
   const auto check = [&](const std::string& shader) {
     const Image radius = guide(shader, 1e6);
-    return difference(
-        radius,
-        imageOf(
-            kSize,
-            [kernel_per_circle](int x, int y) {
-              const double tangent = std::tan(2.0 * std::atan(roughness(x) * roughness(x)));
-              const double eye = std::hypot((x + 0.5 - 30.5) / kPxScale, (y + 0.5 - 23.5) / kPxScale, 1.0);
-              const double h = t_m(y);
-              const double a = 2.0 * h * tangent;
-              const double circle_m = h > 0.0 ? a * (std::sqrt(a * a + 4.0 * h * h) - a) / (4.0 * h) : 0.0;
-              // Dist_view of the mirrored hit, on the eye's ray prolonged by t_m.
-              const double mirrored = kDist * (eye * kDist + h) / (eye * kDist);
-              const double per_m = tangent * (std::sqrt(1.0 + tangent * tangent) - tangent);
-              const double miss = kPxScale * per_m * eye;
-              const double px = y == 45 ? miss : kPxScale * circle_m / mirrored;
-              return std::array<double, 4>{kDist, y == 46 ? -1.0 : kernel_per_circle * px};
-            },
-            2),
-        2e-4);
+    return difference(radius,
+                      imageOf(
+                          kBlurSize,
+                          [kernel_per_circle](int x, int y) {
+                            const double tangent = std::tan(2.0 * std::atan(roughness(x) * roughness(x)));
+                            const double eye = std::hypot((x + 0.5 - 30.5) / kBlurPxScale,
+                                                          (y + 0.5 - 23.5) / kBlurPxScale, 1.0);
+                            const double h = t_m(y);
+                            const double a = 2.0 * h * tangent;
+                            const double circle_m =
+                                h > 0.0 ? a * (std::sqrt(a * a + 4.0 * h * h) - a) / (4.0 * h) : 0.0;
+                            // Dist_view of the mirrored hit, on the eye's ray prolonged by t_m.
+                            const double mirrored = kBlurDist * (eye * kBlurDist + h) / (eye * kBlurDist);
+                            const double per_m = tangent * (std::sqrt(1.0 + tangent * tangent) - tangent);
+                            const double miss = kBlurPxScale * per_m * eye;
+                            const double px = y == 45 ? miss : kBlurPxScale * circle_m / mirrored;
+                            return std::array<double, 4>{kBlurDist, y == 46 ? -1.0 : kernel_per_circle * px};
+                          },
+                          2),
+                      2e-4);
   };
   holdsAndKills(check, "blur_guide.frag", {"blur_constant"});
 }
@@ -92,7 +90,7 @@ TEST_P(BlurGuideTest, TheRadiusIsTheConesCircleSeenInTheMirrorAnd0AtContact) {
 TEST_P(BlurGuideTest, TheRadiusGrowsWithRoughnessAndDistanceUpToItsCap) {
   const Image radius = guide("blur_guide.frag", 30.0);
   for (int y = 0; y < 46; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+    for (int x = 0; x < kBlurSize.width; ++x) {
       ASSERT_LE(radius.at(x, y, 1), 30.0F);
       ASSERT_GE(radius.at(x, y, 1), x > 0 ? radius.at(x - 1, y, 1) - 1e-3F : 0.0F) << x << " " << y;
       ASSERT_GE(radius.at(x, y, 1), y > 0 ? radius.at(x, y - 1, 1) - 1e-3F : 0.0F) << x << " " << y;

@@ -8,35 +8,33 @@
 namespace ssrkit {
 namespace {
 
-using namespace scalar_blur;
-
 class BlurTest : public PassTest {
  protected:
-  Image blurAxis(const std::string& shader, const Surface& surface, const Image& source, int along_y,
+  Image blurAxis(const std::string& shader, const BlurredSurface& surface, const Image& source, int along_y,
                  Format format = Format::kRgba32f) {
     begin();
-    values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
-    values_.set("px_scale", glm::dvec2(kPxScale, -kPxScale));
-    values_.set("px_offset", glm::dvec2(kSize.width / 2.0, kSize.height / 2.0));
-    values_.set("view_per_px", 1.0 / glm::dvec2(kPxScale, -kPxScale));
-    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
+    values_.set("size_px", glm::dvec2(kBlurSize.width, kBlurSize.height));
+    values_.set("px_scale", glm::dvec2(kBlurPxScale, -kBlurPxScale));
+    values_.set("px_offset", glm::dvec2(kBlurSize.width / 2.0, kBlurSize.height / 2.0));
+    values_.set("view_per_px", 1.0 / glm::dvec2(kBlurPxScale, -kBlurPxScale));
+    values_.set("texel_uv", 1.0 / glm::dvec2(kBlurSize.width, kBlurSize.height));
     values_.set("along_y", along_y);
     values_.set("narrow", narrow_);
     give("source", source, format);
     give("blur_guide",
          imageOf(
-             kSize,
+             kBlurSize,
              [&](int x, int y) {
                return std::array<double, 4>{surface.dist_view(x, y), surface.radius_px(x, y)};
              },
              2),
          Format::kRg32f);
-    give("normal_view", imageOf(kSize, surface.normal));
-    return draw(shader, kSize, format);
+    give("normal_view", imageOf(kBlurSize, surface.normal));
+    return draw(shader, kBlurSize, format);
   }
   int narrow_ = 0;
-  Image blur(const std::string& shader, const Surface& surface, Format format = Format::kRgba32f) {
-    const Image along_x = blurAxis(shader, surface, imageOf(kSize, surface.source), 0, format);
+  Image blur(const std::string& shader, const BlurredSurface& surface, Format format = Format::kRgba32f) {
+    const Image along_x = blurAxis(shader, surface, imageOf(kBlurSize, surface.source), 0, format);
     return blurAxis(shader, surface, along_x, 1, format);
   }
 };
@@ -54,7 +52,7 @@ TEST_P(BlurTest, AnImpulseBecomesTheSeparableKernel) {
   }
   EXPECT_EQ(
       difference(blurred,
-                 imageOf(kSize,
+                 imageOf(kBlurSize,
                          [&](int x, int y) {
                            return std::array{kernel(x - 30) * kernel(y - 23) / (sum * sum), 0.0, 0.0, 1.0};
                          }),
@@ -72,7 +70,7 @@ TEST_P(BlurTest, TheNarrowKernelIsAsWideAsTheGapsOfTheWideOne) {
   }
   EXPECT_EQ(
       difference(blur("gloss_blur.frag", {.source = impulse, .radius_px = [](int, int) { return 30.0; }}),
-                 imageOf(kSize,
+                 imageOf(kBlurSize,
                          [&](int x, int y) {
                            return std::array{kernel(x - 30) * kernel(y - 23) / (sum * sum), 0.0, 0.0, 1.0};
                          }),
@@ -80,7 +78,7 @@ TEST_P(BlurTest, TheNarrowKernelIsAsWideAsTheGapsOfTheWideOne) {
       "");
   EXPECT_EQ(
       difference(blur("gloss_blur.frag", {.source = impulse, .radius_px = [](int, int) { return 12.0; }}),
-                 imageOf(kSize, impulse), 0.0),
+                 imageOf(kBlurSize, impulse), 0.0),
       "");
 }
 
@@ -88,17 +86,17 @@ TEST_P(BlurTest, TheNarrowKernelIsAsWideAsTheGapsOfTheWideOne) {
 // a comb.
 TEST_P(BlurTest, NarrowBeforeWideLeavesNoComb) {
   const auto line = [](int x, int) { return std::array{x == 30 ? 1.0 : 0.0, 0.0, 0.0, 1.0}; };
-  const Surface surface{.source = line, .radius_px = [](int, int) { return 30.0; }};
+  const BlurredSurface surface{.source = line, .radius_px = [](int, int) { return 30.0; }};
   const auto largest_rise = [](const Image& image) {  // of the peak's share
     float rise = 0.0F;
-    for (int x = 31; x < kSize.width; ++x) {
+    for (int x = 31; x < kBlurSize.width; ++x) {
       rise = std::max(rise, image.at(x, 20) - image.at(x - 1, 20));
     }
     return rise / image.at(30, 20);
   };
-  EXPECT_GT(largest_rise(blurAxis("gloss_blur.frag", surface, imageOf(kSize, line), 0)), 0.9F);
+  EXPECT_GT(largest_rise(blurAxis("gloss_blur.frag", surface, imageOf(kBlurSize, line), 0)), 0.9F);
   narrow_ = 1;
-  const Image narrow = blurAxis("gloss_blur.frag", surface, imageOf(kSize, line), 0);
+  const Image narrow = blurAxis("gloss_blur.frag", surface, imageOf(kBlurSize, line), 0);
   narrow_ = 0;
   EXPECT_LT(largest_rise(blurAxis("gloss_blur.frag", surface, narrow, 0)), 0.01F);
 }
@@ -108,14 +106,14 @@ TEST_P(BlurTest, EveryTexelIsTheWeightedMeanOfScalarCode) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<std::array<double, 4>> noise;
-  for (int i = 0; i < kSize.width * kSize.height; ++i) {
+  for (int i = 0; i < kBlurSize.width * kBlurSize.height; ++i) {
     const double alpha = unit(random) < 0.3 ? 0.0 : unit(random);
     noise.push_back({alpha > 0.0 ? unit(random) : 0.0, alpha > 0.0 ? unit(random) : 0.0, 0.0, alpha});
   }
   const auto at = [&](int x, int y) {
-    return noise.at(static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x));
+    return noise.at(static_cast<std::size_t>(y) * kBlurSize.width + static_cast<std::size_t>(x));
   };
-  const Surface surface{
+  const BlurredSurface surface{
       .source = at,
       .dist_view = [](int x, int y) { return (x < 40 ? 5.0 : 5.5) + 0.002 * y; },
       .radius_px = [&](int x, int y) { return x % 7 == 3 ? -1.0 : 20.0 * at(y, x % 40)[0]; },
@@ -124,7 +122,7 @@ TEST_P(BlurTest, EveryTexelIsTheWeightedMeanOfScalarCode) {
             const double turn = y > 30 && x < 20 ? 0.3 : 0.02 * std::sin(0.5 * x);
             return std::array{std::sin(turn), 0.0, std::cos(turn), 1.0};
           }};
-  const Image source = imageOf(kSize, at);
+  const Image source = imageOf(kBlurSize, at);
   for (const bool along_y : {false, true}) {
     const Image expected = blurredAlong(surface, source, along_y);
     EXPECT_EQ(difference(blurAxis("gloss_blur.frag", surface, source, along_y ? 1 : 0), expected, 2e-4), "");
@@ -153,7 +151,7 @@ TEST_P(BlurTest, MissesLeaveNoDarkRim) {
         blur(shader, {.source = [](int x, int) {
                return x < 30 ? std::array{0.5, 0.5, 0.5, 1.0} : std::array{0.0, 0.0, 0.0, 0.0};
              }});
-    for (int x = 0; x < kSize.width; ++x) {
+    for (int x = 0; x < kBlurSize.width; ++x) {
       const float alpha = blurred.at(x, 20, 3);
       if (alpha > 0.0F && std::abs(blurred.at(x, 20) - 0.5F) > 1e-6F) {
         return fmt::format("column {} has {} of 0.5 left", x, blurred.at(x, 20));
@@ -174,7 +172,7 @@ TEST_P(BlurTest, NothingCrossesAStepOfDepth) {
   const auto check = [&](const std::string& shader) {
     return difference(
         blur(shader, {.source = colour, .dist_view = [](int x, int) { return x < 30 ? 5.0 : 5.2; }}),
-        imageOf(kSize, colour), 1e-6);
+        imageOf(kBlurSize, colour), 1e-6);
   };
   holdsAndKills(check, "gloss_blur.frag", {"blur_crosses_depth"});
 }
@@ -190,7 +188,7 @@ TEST_P(BlurTest, NothingCrossesAnEdgeOfTheNormal) {
                            [](int, int y) {
                              return y < 20 ? std::array{0.0, 0.0, 1.0, 1.0} : std::array{0.0, 0.6, 0.8, 1.0};
                            }}),
-                 imageOf(kSize, colour), 1e-6),
+                 imageOf(kBlurSize, colour), 1e-6),
       "");
 }
 

@@ -6,13 +6,11 @@
 #include <numbers>
 #include <random>
 
-#include "pass_test.h"
+#include "composite_image.h"
+#include "white_furnace.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr double kFurnace = 0.75;
-constexpr Size kSize{91, 5};  // a column a degree
 
 double radians(int degrees) {
   return degrees * std::numbers::pi / 180.0;
@@ -32,15 +30,6 @@ double exactReflectance(std::complex<double> index, double cosine) {
   return (std::norm(s) + std::norm(p)) / 2.0;
 }
 
-Image uniformImage(double r, double g, double b, double a) {
-  return imageOf(kSize, [&](int, int) { return std::array{r, g, b, a}; });
-}
-
-// Alpha, metallic or mask by row: 0, a quarter, a half, three quarters, 1.
-double step(int y) {
-  return y / 4.0;
-}
-
 class CompositeTest : public PassTest {
  protected:
   // The mirror composite: the eye looks along -z, column x has its normal x degrees away. The mirrored
@@ -48,24 +37,24 @@ class CompositeTest : public PassTest {
   Image mirror(const std::string& shader, double lit, double sky, double f0, double mask,
                const std::function<double(int y)>& alpha) {
     begin();
-    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
+    values_.set("texel_uv", 1.0 / glm::dvec2(kCompositeSize.width, kCompositeSize.height));
     values_.set("px_offset", glm::dvec2(0.0));
     values_.set("view_per_px", glm::dvec2(0.0));
     values_.set("up_view", glm::dvec3(1.0, 0.0, 0.0));
     values_.set("sky_horizon", glm::dvec3(sky));
     values_.set("sky_zenith", glm::dvec3(sky));
     give("lit", uniformImage(lit, lit, lit, 1.0));
-    give("reflection", imageOf(kSize, [&](int, int y) {
+    give("reflection", imageOf(kCompositeSize, [&](int, int y) {
            const double found = alpha(y) > 0.0 ? kFurnace : 0.0;
            return std::array{found, found, found, alpha(y)};
          }));
     give("albedo", uniformImage(f0, f0, f0, 1.0));
     give("material", uniformImage(1.0, 0.0, mask, 1.0));
-    give("normal_view", imageOf(kSize, [](int x, int) {
+    give("normal_view", imageOf(kCompositeSize, [](int x, int) {
            return std::array{std::sin(radians(x)), 0.0, std::cos(radians(x)), 1.0};
          }));
     give("dist_view", uniformImage(5.0, 0.0, 0.0, 0.0));
-    return draw(shader, kSize);
+    return draw(shader, kCompositeSize);
   }
 };
 
@@ -105,7 +94,7 @@ TEST_P(CompositeTest, SchlickIsWithinItsStatedDeviationOfTheExactEquations) {
 
 TEST_P(CompositeTest, MirrorGainsFresnelInAFurnace) {
   const auto check = [&](const std::string& shader) {
-    const Image composite = mirror(shader, kFurnace, kFurnace, 0.04, 0.5, step);
+    const Image composite = mirror(shader, kFurnace, kFurnace, 0.04, 0.5, shareOfRow);
     return followsFormula(
         composite, [](int x, int) { return kFurnace * (1.0 + 0.5 * schlick(0.04, std::cos(radians(x)))); },
         1e-6);
@@ -115,16 +104,17 @@ TEST_P(CompositeTest, MirrorGainsFresnelInAFurnace) {
 
 TEST_P(CompositeTest, MirrorKeepsAFurnaceOnAPerfectMetal) {
   // Its own share is nothing, and all that arrives leaves: L for hits, misses, and everything between.
-  EXPECT_EQ(
-      followsFormula(
-          mirror("composite.frag", 0.0, kFurnace, 1.0, 1.0, step), [](int, int) { return kFurnace; }, 1e-7),
-      "");
+  EXPECT_EQ(followsFormula(
+                mirror("composite.frag", 0.0, kFurnace, 1.0, 1.0, shareOfRow),
+                [](int, int) { return kFurnace; }, 1e-7),
+            "");
 }
 
 TEST_P(CompositeTest, BackgroundAndMaskedTexelsStayAsLit) {
-  EXPECT_EQ(followsFormula(
-                mirror("composite.frag", 0.3, kFurnace, 1.0, 0.0, step), [](int, int) { return 0.3; }, 1e-7),
-            "");
+  EXPECT_EQ(
+      followsFormula(
+          mirror("composite.frag", 0.3, kFurnace, 1.0, 0.0, shareOfRow), [](int, int) { return 0.3; }, 1e-7),
+      "");
 }
 
 TEST_P(CompositeTest, MetallicGainsItsOwnShareInAFurnace) {
@@ -132,48 +122,53 @@ TEST_P(CompositeTest, MetallicGainsItsOwnShareInAFurnace) {
     begin();
     give("lit", uniformImage(kFurnace, kFurnace, kFurnace, 1.0));
     give("reflection", uniformImage(kFurnace, kFurnace, kFurnace, 1.0));
-    give("material", imageOf(kSize, [](int, int y) { return std::array{step(y), 0.0, 1.0, 1.0}; }));
+    give("material", imageOf(kCompositeSize, [](int, int y) {
+           return std::array{shareOfRow(y), 0.0, 1.0, 1.0};
+         }));
     return followsFormula(
-        draw(shader, kSize), [](int, int y) { return kFurnace * (1.0 + step(y)); }, 1e-6);
+        draw(shader, kCompositeSize), [](int, int y) { return kFurnace * (1.0 + shareOfRow(y)); }, 1e-6);
   };
   holdsAndKills(check, "composite_metallic.frag", {"metallic_twice"});
 }
 
 TEST_P(CompositeTest, MaskedBlendsByMetalnessFresnelAndTheHitsDistanceFromTheCentre) {
-  values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
+  values_.set("size_px", glm::dvec2(kCompositeSize.width, kCompositeSize.height));
   values_.set("px_offset", glm::dvec2(0.0));
   values_.set("view_per_px", glm::dvec2(0.0));
   give("lit", uniformImage(0.2, 0.2, 0.2, 1.0));
   give("reflection", uniformImage(0.9, 0.9, 0.9, 0.8));
-  give("hit_point", imageOf(kSize, [](int x, int) { return std::array{90.0 - x, 1.5, 1.0, 0.0}; }));
+  give("hit_point", imageOf(kCompositeSize, [](int x, int) { return std::array{90.0 - x, 1.5, 1.0, 0.0}; }));
   give("albedo", uniformImage(0.5, 0.5, 0.5, 1.0));
-  give("material", imageOf(kSize, [](int, int y) { return std::array{step(y), 0.0, 1.0, 1.0}; }));
-  give("normal_view", imageOf(kSize, [](int x, int) {
+  give("material", imageOf(kCompositeSize, [](int, int y) {
+         return std::array{shareOfRow(y), 0.0, 1.0, 1.0};
+       }));
+  give("normal_view", imageOf(kCompositeSize, [](int x, int) {
          return std::array{std::sin(radians(x)), 0.0, std::cos(radians(x)), 1.0};
        }));
   const auto formula = [&](int x, int y) {
-    const double u = 2.0 * (90.0 - x) / kSize.width - 1.0;
-    const double v = 2.0 * 1.5 / kSize.height - 1.0;
+    const double u = 2.0 * (90.0 - x) / kCompositeSize.width - 1.0;
+    const double v = 2.0 * 1.5 / kCompositeSize.height - 1.0;
     const double centre = (1.0 - std::pow(u, 4)) * (1.0 - std::pow(v, 4));
-    const double f0 = 0.04 + (0.5 - 0.04) * step(y);
-    const double weight = step(y) * centre * 0.8 * schlick(f0, std::cos(radians(x)));
+    const double f0 = 0.04 + (0.5 - 0.04) * shareOfRow(y);
+    const double weight = shareOfRow(y) * centre * 0.8 * schlick(f0, std::cos(radians(x)));
     return 0.2 + weight * (0.9 - 0.2);
   };
-  EXPECT_EQ(followsFormula(draw("composite_masked.frag", kSize), formula, 1e-6), "");
+  EXPECT_EQ(followsFormula(draw("composite_masked.frag", kCompositeSize), formula, 1e-6), "");
 }
 
 TEST_P(CompositeTest, MetalMaskEndsRaysExactlyWhereMetallicIs0) {
-  give("material", imageOf(kSize, [](int x, int y) {
-         return std::array{step(y), 0.01 * x, x % 2 == 0 ? 1.0 : 0.0, 1.0};
+  give("material", imageOf(kCompositeSize, [](int x, int y) {
+         return std::array{shareOfRow(y), 0.01 * x, x % 2 == 0 ? 1.0 : 0.0, 1.0};
        }));
-  const Image masked = draw("metal_mask.frag", kSize);
-  EXPECT_EQ(difference(masked,
-                       imageOf(kSize,
-                               [](int x, int y) {
-                                 return std::array{step(y), 0.01 * x, x % 2 == 0 && y > 0 ? 1.0 : 0.0, 1.0};
-                               }),
-                       0.0),
-            "");
+  const Image masked = draw("metal_mask.frag", kCompositeSize);
+  EXPECT_EQ(
+      difference(masked,
+                 imageOf(kCompositeSize,
+                         [](int x, int y) {
+                           return std::array{shareOfRow(y), 0.01 * x, x % 2 == 0 && y > 0 ? 1.0 : 0.0, 1.0};
+                         }),
+                 0.0),
+      "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CompositeTest, testing::Values("gl-osmesa", "vk-lavapipe"), deviceTestName);

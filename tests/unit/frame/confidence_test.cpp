@@ -11,7 +11,7 @@ namespace ssrkit {
 namespace {
 
 constexpr double kNone = 1e30;
-constexpr Size kSize{256, 4};
+constexpr Size kConfidenceSize{256, 4};
 
 double smoothRise(double x) {
   const double in = std::clamp(x, 0.0, 1.0);
@@ -44,9 +44,9 @@ class ConfidenceTest : public PassTest {
   std::vector<double> confidences(const std::string& shader, const Factors& factors,
                                   const std::function<Ray(int x)>& ray_at) {
     begin();
-    values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
+    values_.set("size_px", glm::dvec2(kConfidenceSize.width, kConfidenceSize.height));
     // The eye looks straight along -z through every pixel: dir_view.z is set by the normal alone.
-    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
+    values_.set("texel_uv", 1.0 / glm::dvec2(kConfidenceSize.width, kConfidenceSize.height));
     values_.set("px_offset", glm::dvec2(0.0));
     values_.set("view_per_px", glm::dvec2(0.0));
     values_.set("max_distance_m", factors.max_distance_m);
@@ -57,14 +57,14 @@ class ConfidenceTest : public PassTest {
     values_.set("facing_fade_start", factors.facing_fade_start);
     values_.set("facing_fade_end", factors.facing_fade_end);
     values_.set("fade_lookups", factors.fade_lookups);
-    give("reflection", imageOf(kSize, [](int, int) { return std::array{0.25, 0.5, 0.75, 1.0}; }));
-    give("hit_point", imageOf(kSize, [&](int x, int) {
+    give("reflection", imageOf(kConfidenceSize, [](int, int) { return std::array{0.25, 0.5, 0.75, 1.0}; }));
+    give("hit_point", imageOf(kConfidenceSize, [&](int x, int) {
            const Ray ray = ray_at(x);
            return std::array{ray.point[0], ray.point[1], ray.point[2], 0.0};
          }));
     giveIntegers("hit_texel",
                  imageOf(
-                     kSize,
+                     kConfidenceSize,
                      [&](int x, int) {
                        const Ray ray = ray_at(x);
                        return std::array<double, 4>{static_cast<double>(ray.texel[0]),
@@ -73,19 +73,19 @@ class ConfidenceTest : public PassTest {
                      2),
                  Format::kRg16i);
     giveIntegers("ray_work",
-                 imageOf(kSize,
+                 imageOf(kConfidenceSize,
                          [&](int x, int) {
                            return std::array<double, 4>{2.0, static_cast<double>(ray_at(x).lookups)};
                          }),
                  Format::kRgba16ui);
     // Reflecting (0, 0, -1) at the normal (sin a, 0, cos a) gives dir_view.z = cos 2a.
-    give("normal_view", imageOf(kSize, [&](int x, int) {
+    give("normal_view", imageOf(kConfidenceSize, [&](int x, int) {
            const double half = std::acos(ray_at(x).towards_camera) / 2.0;
            return std::array{std::sin(half), 0.0, std::cos(half), 1.0};
          }));
-    const Image weighed = draw(shader, kSize);
+    const Image weighed = draw(shader, kConfidenceSize);
     std::vector<double> alphas;
-    for (int x = 0; x < kSize.width; ++x) {
+    for (int x = 0; x < kConfidenceSize.width; ++x) {
       EXPECT_EQ(weighed.at(x, 1, 1), ray_at(x).texel[0] < 0 ? 0.0F : 0.5F) << "the radiance is left alone";
       alphas.push_back(static_cast<double>(weighed.at(x, 2, 3)));
     }
@@ -97,7 +97,7 @@ class ConfidenceTest : public PassTest {
                       const std::function<Ray(int x)>& ray_at, const std::function<double(int x)>& formula,
                       double tolerance) {
     const std::vector<double> got = confidences(shader, factors, ray_at);
-    for (int x = 0; x < kSize.width; ++x) {
+    for (int x = 0; x < kConfidenceSize.width; ++x) {
       const double value = got[static_cast<std::size_t>(x)];
       if (!(std::abs(value - formula(x)) <= tolerance)) {
         return fmt::format("{} at step {} where {} is right", value, x, formula(x));
@@ -217,8 +217,8 @@ TEST_P(ConfidenceTest, FactorsMultiply) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<Ray> rays;
-  rays.reserve(static_cast<std::size_t>(kSize.width));
-  for (int x = 0; x < kSize.width; ++x) {
+  rays.reserve(static_cast<std::size_t>(kConfidenceSize.width));
+  for (int x = 0; x < kConfidenceSize.width; ++x) {
     rays.push_back({.point = {256.0 * unit(random), 4.0 * unit(random), 12.0 * unit(random)},
                     .texel = {100, 2},
                     .lookups = static_cast<int>(300.0 * unit(random)),

@@ -22,8 +22,6 @@ class FrameReadBackTest : public FrameDeviceTest {
   }
 };
 
-}  // namespace
-
 TEST_P(FrameReadBackTest, ALargeFrameGivesUpWhatNobodyReads) {
   ASSERT_TRUE(isLargeFrame(kLarge));
   FrameImages images(*device_, kLarge);
@@ -42,5 +40,7 @@ TEST_P(FrameReadBackTest, ASmallFrameKeepsItsImagesForTheNextJob) {
 
 INSTANTIATE_TEST_SUITE_P(Each, FrameReadBackTest, testing::Values("gl-osmesa", "vk-lavapipe"),
                          deviceTestName);
+
+}  // namespace
 
 }  // namespace ssrkit

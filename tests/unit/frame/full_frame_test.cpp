@@ -19,7 +19,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr float kFurnace = 0.5F;
+constexpr float kOneRadiance = 0.5F;
 
 // Of perfect metal, three strips of roughness; everything, the environment too, has one radiance, and all of
 // the floor's is the environment's that it reflects.
@@ -29,14 +29,14 @@ Job furnace() {
   job.size = kFloorSize;
   job.frame = "full";
   job.shader_root = kitShaders();
-  job.environment = EnvironmentChoice{.file = {}, .constant = glm::vec3(kFurnace)};
+  job.environment = EnvironmentChoice{.file = {}, .constant = glm::vec3(kOneRadiance)};
   job.gbuffer_camera = floorCamera();
   job.gbuffer = floorGbuffer([](int x) { return x < 20 ? 0.0 : x < 40 ? 0.3125 : 0.75; });
-  std::ranges::fill(job.gbuffer.at("lit").data, kFurnace);
+  std::ranges::fill(job.gbuffer.at("lit").data, kOneRadiance);
   Image base = job.gbuffer.at("lit");
   for (std::size_t i = 0; i < base.data.size(); ++i) {
     const bool is_floor = i >= std::size_t{3} * kFloorSize.width * kFirstFloorRow;
-    base.data[i] = is_floor ? 0.0F : kFurnace;
+    base.data[i] = is_floor ? 0.0F : kOneRadiance;
   }
   job.gbuffer["lit_base"] = std::move(base);
   return job;
@@ -73,7 +73,8 @@ class FullFrameTest : public PassTest {
     job.traces = {{.stage = "hiz", .parameters = {}, .technique = technique.name}};
     const JobResult result = run(job);
     const std::string wrong = followsFormula(
-        result.traces.at(0).images.at("composite"), [](int, int) { return kFurnace; }, 1e-3 * kFurnace);
+        result.traces.at(0).images.at("composite"), [](int, int) { return kOneRadiance; },
+        1e-3 * kOneRadiance);
     return wrong.empty() ? "" : fmt::format("{}: {}", technique.name, wrong);
   }
 };
@@ -163,7 +164,7 @@ TEST_P(FullFrameTest, DrawsWhatFollowsTheTraceWhereRaysStartAndNowhereElse) {
             "");
   EXPECT_EQ(
       followsFormula(
-          images.at("composite"), [&](int, int y) { return is_floor(y) ? 2.0 : double{kFurnace}; }, 0.0),
+          images.at("composite"), [&](int, int y) { return is_floor(y) ? 2.0 : double{kOneRadiance}; }, 0.0),
       "");
 }
 

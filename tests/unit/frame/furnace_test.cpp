@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "lit_surfaces.h"
+#include "white_furnace.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr double kFurnace = 0.75;
 
 // Columns by angle to the viewer, 0 to 85 degrees; rows by roughness, 0 to 1.
 std::vector<LitSurface> whiteSurfaces(double metallic, double albedo) {

@@ -12,7 +12,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBackgroundDist = std::numeric_limits<double>::infinity();
 const std::vector<Format> kTwo{Format::kRgba32f, Format::kRgba32f};
 
 EnvironmentMaps constantMaps(double radiance) {
@@ -139,7 +139,8 @@ TEST_P(LightTest, DiffuseSurfacesShowTheirNormalsIrradiance) {
 
 TEST_P(LightTest, BackgroundIsTheEnvironment) {
   const glm::dmat4 view_from_world = glm::rotate(glm::dmat4(1.0), -0.6, glm::normalize(glm::dvec3(1, 1, 0)));
-  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height), LitSurface{.dist_view = kInfinity});
+  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height),
+                                         LitSurface{.dist_view = kBackgroundDist});
   giveSurfaces(surfaces, manyLights(), view_from_world);
   give(directionMaps());
   const std::vector<Image> images = drawAll("light_ggx.frag", kLitSize, kTwo);
@@ -155,7 +156,8 @@ TEST_P(LightTest, TheSkyRisesFromTheHorizonToTheZenith) {
   const glm::dvec3 horizon(0.5, 0.6, 0.7);
   const glm::dvec3 zenith(0.1, 0.2, 0.9);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0.2, 0.9, 0.1));
-  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height), LitSurface{.dist_view = kInfinity});
+  const std::vector<LitSurface> surfaces(litIndex(0, kLitSize.height),
+                                         LitSurface{.dist_view = kBackgroundDist});
   giveSurfaces(surfaces, manyLights());
   values_.set("up_view", up);
   values_.set("sky_horizon", horizon);

@@ -8,7 +8,7 @@
 namespace ssrkit {
 namespace {
 
-const std::vector<Size> kSizes = {{1, 1}, {2, 2}, {3, 3}, {1, 40}, {127, 63}, {161, 91}, {64, 32}};
+const std::vector<Size> kMippedSizes = {{1, 1}, {2, 2}, {3, 3}, {1, 40}, {127, 63}, {161, 91}, {64, 32}};
 
 // The share of the coarser texel's extent that the finer one covers, from the two intervals.
 double overlap(int coarser, int coarser_size, int finer, int finer_size) {
@@ -59,7 +59,7 @@ class MipsTest : public PassTest {
 
 TEST_P(MipsTest, EachTexelIsTheMeanOverItsArea) {
   const auto check = [this](const std::string& shader) {
-    for (const Size& size : kSizes) {
+    for (const Size& size : kMippedSizes) {
       const std::string off = isExactAreas(shader, size);
       if (!off.empty()) {
         return off;
@@ -71,7 +71,7 @@ TEST_P(MipsTest, EachTexelIsTheMeanOverItsArea) {
 }
 
 TEST_P(MipsTest, AConstantStaysItselfBitForBit) {
-  for (const Size& size : kSizes) {
+  for (const Size& size : kMippedSizes) {
     begin();
     const Image constant = imageOf(size, [](int, int) {
       return std::array{0.7998046875, 3.30078125, 0.0009765625, 1.0};

@@ -3,27 +3,26 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "frame/gbuffer_source.h"
+#include "infinity.h"
 #include "pass_test.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{192, 96};
+constexpr Size kPackedSize{192, 96};
 constexpr double kHalfQuantum = 0.5 / 32767.0;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // All directions, a row an elevation; the first row is background. A is a clearance of its own.
 Image directions() {
-  return imageOf(kSize, [](int x, int y) -> std::array<double, 4> {
+  return imageOf(kPackedSize, [](int x, int y) -> std::array<double, 4> {
     if (y == 0) {
       return {0, 0, 0, 0.25};
     }
-    const double theta = std::numbers::pi * y / (kSize.height - 1);
-    const double phi = 2.0 * std::numbers::pi * (x + 0.3) / kSize.width;
+    const double theta = std::numbers::pi * y / (kPackedSize.height - 1);
+    const double phi = 2.0 * std::numbers::pi * (x + 0.3) / kPackedSize.width;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta), 0.01 * x};
   });
 }
@@ -41,19 +40,19 @@ class PackedTest : public PassTest {
   }
 
   [[nodiscard]] Image octahedral(const std::string& pack, const std::string& unpack) {
-    drawGiven(pack, kSize, Format::kRg16i, "normal_octahedral");
-    return draw(unpack, kSize);
+    drawGiven(pack, kPackedSize, Format::kRg16i, "normal_octahedral");
+    return draw(unpack, kPackedSize);
   }
 
   [[nodiscard]] Image xySign(const std::string& unpack) {
-    drawGiven("normal_pack_xy_sign.frag", kSize, Format::kRgba16ui, "normal_xy_sign");
-    return draw(unpack, kSize);
+    drawGiven("normal_pack_xy_sign.frag", kPackedSize, Format::kRgba16ui, "normal_xy_sign");
+    return draw(unpack, kPackedSize);
   }
 
   // Every direction within `bound` radians of what was packed; background and clearance as they were.
   [[nodiscard]] std::string comesBack(const Image& back, double bound) const {
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kPackedSize.height; ++y) {
+      for (int x = 0; x < kPackedSize.width; ++x) {
         const glm::dvec3 given = normalAt(given_directions_, x, y);
         const glm::dvec3 found = normalAt(back, x, y);
         const double angle = std::atan2(glm::length(glm::cross(given, found)), glm::dot(given, found));
@@ -86,8 +85,8 @@ TEST_P(PackedTest, NormalsOfXyAndSignComeBackWithinTheirBound) {
 
 TEST_P(PackedTest, WhatIsReadIsAUnitVector) {
   const auto unit = [](const Image& back) -> std::string {
-    for (int y = 1; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 1; y < kPackedSize.height; ++y) {
+      for (int x = 0; x < kPackedSize.width; ++x) {
         const double length = glm::length(normalAt(back, x, y));
         if (!(std::abs(length - 1.0) <= 2e-7)) {
           return fmt::format("length {} at ({}, {})", length, x, y);
@@ -106,16 +105,17 @@ TEST_P(PackedTest, WhatIsReadIsAUnitVector) {
 // P22), a change of e in d + P22 is one of e * dist / |P23| of the distance. Two roundings of 2^-25 and one
 // of P22 by 2^-24.
 TEST_P(PackedTest, StoredDepthsComeBackAsMetres) {
-  const Camera camera{.size = kSize,
+  const Camera camera{.size = kPackedSize,
                       .clip_from_view = perspective(1.0, 2.0, 0.1, 100.0),
                       .view_from_world = glm::dmat4(1.0),
                       .near_m = 0.1,
                       .far_m = 100.0};
   const auto distOf = [](int x, int y) {
-    return 0.1 * std::pow(1000.0, (x + kSize.width * y + 0.5) / (kSize.width * kSize.height));
+    return 0.1 *
+           std::pow(1000.0, (x + kPackedSize.width * y + 0.5) / (kPackedSize.width * kPackedSize.height));
   };
   const Image stored = imageOf(
-      kSize,
+      kPackedSize,
       [&](int x, int y) -> std::array<double, 4> {
         return {x == 7 ? 1.0 : depthWindowFromDistView(camera, distOf(x, y)), 0, 0, 0};
       },
@@ -124,9 +124,9 @@ TEST_P(PackedTest, StoredDepthsComeBackAsMetres) {
   setCameraUniforms(values_, camera);
   give("depth_window", stored, Format::kR32f);
   const auto check = [&](const std::string& shader) -> std::string {
-    const Image back = draw(shader, kSize, Format::kR32f);
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    const Image back = draw(shader, kPackedSize, Format::kR32f);
+    for (int y = 0; y < kPackedSize.height; ++y) {
+      for (int x = 0; x < kPackedSize.width; ++x) {
         const double dist = distOf(x, y);
         const double bound = std::exp2(-23.0) * dist / 0.1 + std::exp2(-22.0);
         const bool holds =

@@ -14,8 +14,6 @@ namespace ssrkit {
 
 namespace {
 
-const std::string kSource = SSRKIT_SOURCE_DIR;
-
 std::vector<std::string> channelNames(Format format) {
   const std::vector<std::string> all = {"R", "G", "B", "A"};
   return {all.begin(), all.begin() + formatInfo(format).channel_count};
@@ -44,7 +42,7 @@ Expected<Image> readMip(Device& device, const DeviceImage& image, int mip) {
 
 // The mutant's shader, once its description names the test that runs.
 std::string mutantFile(const std::string& name, const std::string& shader) {
-  const std::string path = kSource + "/tests/mutants/" + name;
+  const std::string path = SSRKIT_SOURCE_DIR "/tests/mutants/" + name;
   const toml::table about = toml::parse_file(path + ".toml");
   EXPECT_EQ(about["pass"].value_or(std::string()) + ".frag", shader) << name;
   EXPECT_GT(about["about"].value_or(std::string()).size(), 20U) << name;

@@ -7,10 +7,10 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{2, 1};
+constexpr Size kPeerInputsSize{2, 1};
 constexpr double kNear = 0.5;
 constexpr double kFar = 64.0;
-constexpr double kDist = 4.0;  // of the first texel; the second is background
+constexpr double kSurfaceDist = 4.0;  // of the first texel; the second is background
 
 class PeerInputsTest : public PassTest {
  protected:
@@ -23,25 +23,28 @@ class PeerInputsTest : public PassTest {
     const double background = std::numeric_limits<double>::infinity();
     give("dist_view",
          imageOf(
-             kSize, [&](int x, int) { return std::array<double, 4>{x == 0 ? kDist : background}; }, 1),
+             kPeerInputsSize,
+             [&](int x, int) { return std::array<double, 4>{x == 0 ? kSurfaceDist : background}; }, 1),
          Format::kR32f);
-    give("normal_view", imageOf(kSize, [](int, int) { return std::array<double, 4>{0.0, -0.6, 0.8, 0.5}; }));
-    return drawAll("peer_inputs.frag", kSize, {Format::kR32f, Format::kRgba32f});
+    give("normal_view", imageOf(kPeerInputsSize, [](int, int) {
+           return std::array<double, 4>{0.0, -0.6, 0.8, 0.5};
+         }));
+    return drawAll("peer_inputs.frag", kPeerInputsSize, {Format::kR32f, Format::kRgba32f});
   }
 };
 
 TEST_P(PeerInputsTest, DepthIsToldInEveryForm) {
-  const double window = kFar / (kFar - kNear) * (1.0 - kNear / kDist);
+  const double window = kFar / (kFar - kNear) * (1.0 - kNear / kSurfaceDist);
   const auto holds = [&](PeerDepth depth, double surface, double background) {
     const Image told = inputs(depth, PeerNormal::kSigned).front();
     EXPECT_NEAR(told.data[0], surface, 1e-6);
     EXPECT_EQ(told.data[1], static_cast<float>(background));
   };
-  holds(PeerDepth::kDistView, kDist, std::numeric_limits<double>::infinity());
-  holds(PeerDepth::kViewZ, -kDist, -1e30);
+  holds(PeerDepth::kDistView, kSurfaceDist, std::numeric_limits<double>::infinity());
+  holds(PeerDepth::kViewZ, -kSurfaceDist, -1e30);
   holds(PeerDepth::kWindow, window, 1.0);
   holds(PeerDepth::kWindowReversed, 1.0 - window, 0.0);
-  holds(PeerDepth::kLinear01, kDist / kFar, 1.0);
+  holds(PeerDepth::kLinear01, kSurfaceDist / kFar, 1.0);
 }
 
 TEST_P(PeerInputsTest, NormalIsToldInEveryForm) {

@@ -10,7 +10,7 @@ namespace {
 
 // One row: a mirror, one whose shading normal is bent so far that its ray runs below the surface, a surface
 // that mirrors nothing, and background.
-constexpr Size kSize{4, 1};
+constexpr Size kPeerRecordSize{4, 1};
 
 class PeerRecordTest : public PassTest {
  protected:
@@ -18,7 +18,7 @@ class PeerRecordTest : public PassTest {
   // lookups.
   std::vector<Image> recordOfHits() {
     begin();
-    values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
+    values_.set("size_px", glm::dvec2(kPeerRecordSize.width, kPeerRecordSize.height));
     values_.set("px_scale", glm::dvec2(2.0, -2.0));
     values_.set("px_offset", glm::dvec2(2.0, 0.5));
     values_.set("view_per_px", glm::dvec2(0.5, -0.5));
@@ -33,20 +33,21 @@ class PeerRecordTest : public PassTest {
     values_.set("peer_lookups_channel", 2);
     give("dist_view",
          imageOf(
-             kSize,
+             kPeerRecordSize,
              [](int x, int) {
                return std::array<double, 4>{x == 3 ? std::numeric_limits<double>::infinity() : 4.0};
              },
              1),
          Format::kR32f);
-    give("normal_view", imageOf(kSize, [](int x, int) {
+    give("normal_view", imageOf(kPeerRecordSize, [](int x, int) {
            return std::array{0.0, 0.6, 0.8, x == 1 ? -0.1 : 0.8};
          }));
-    give("material", imageOf(kSize, [](int x, int) {
+    give("material", imageOf(kPeerRecordSize, [](int x, int) {
            return std::array{1.0, 0.0, x == 2 ? 0.0 : 1.0, 0.0};
          }));
-    give("peer_answer", imageOf(kSize, [](int, int) { return std::array{2.0, 0.0, 7.0, 1.0}; }));
-    return drawAll("peer_record.frag", kSize, {Format::kRg16i, Format::kRgba32f, Format::kRgba16ui});
+    give("peer_answer", imageOf(kPeerRecordSize, [](int, int) { return std::array{2.0, 0.0, 7.0, 1.0}; }));
+    return drawAll("peer_record.frag", kPeerRecordSize,
+                   {Format::kRg16i, Format::kRgba32f, Format::kRgba16ui});
   }
 };
 

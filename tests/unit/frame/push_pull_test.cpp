@@ -40,10 +40,10 @@ class PushPullTest : public PassTest {
   }
 };
 
-const std::vector<Size> kSizes = {{1, 1}, {3, 3}, {127, 63}, {161, 91}};
+const std::vector<Size> kFilledSizes = {{1, 1}, {3, 3}, {127, 63}, {161, 91}};
 
 TEST_P(PushPullTest, KnownPixelsKeepTheirBitsAtOddSizes) {
-  for (const Size& size : kSizes) {
+  for (const Size& size : kFilledSizes) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const Image reflection = imageOf(size, [&](int, int) {
@@ -62,7 +62,7 @@ TEST_P(PushPullTest, KnownPixelsKeepTheirBitsAtOddSizes) {
 
 TEST_P(PushPullTest, AConstantStaysItselfBitForBitAtOddSizes) {
   const Texel constant{0.7998046875, 3.30078125, 0.125, 1.0};
-  for (const Size& size : kSizes) {
+  for (const Size& size : kFilledSizes) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const Image reflection =

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <random>
 #include <string>
@@ -14,11 +13,10 @@
 #include "../kit_shaders.h"
 #include "frame/image_transfer.h"
 #include "frame_device.h"
+#include "infinity.h"
 
 namespace ssrkit {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Depths {
   float least = kInfinity;

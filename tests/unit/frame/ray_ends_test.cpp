@@ -12,30 +12,30 @@ class RayEndsTest : public TemporalTest {
     values_.set("up_view", glm::dvec3(0, 1, 0));
     values_.set("sky_horizon", glm::dvec3(0.25));
     values_.set("sky_zenith", glm::dvec3(0.25));
-    give("microfacet_normal", imageOf(kSize, [](int, int y) {
-           return isFloor(y) ? std::array{0.0, 1.0, 0.0, 1.0} : std::array{0.0, 0.0, 1.0, 1.0};
+    give("microfacet_normal", imageOf(kRoomSize, [](int, int y) {
+           return isFloorRow(y) ? std::array{0.0, 1.0, 0.0, 1.0} : std::array{0.0, 0.0, 1.0, 1.0};
          }));
     giveRamp("lit");
     // The right half of the floor meets nothing.
     giveIntegers("hit_texel",
                  imageOf(
-                     kSize,
+                     kRoomSize,
                      [](int x, int y) {
                        return x < 128 ? hitOf(x, y) : std::array<double, 4>{-1.0, -1.0};
                      },
                      2),
                  Format::kRg16i);
-    return drawAll("ray_ends.frag", kSize, {Format::kRgba32f, Format::kRgba32f, Format::kRg32f});
+    return drawAll("ray_ends.frag", kRoomSize, {Format::kRgba32f, Format::kRgba32f, Format::kRg32f});
   }
 };
 
 // From d (rx, ry, -1) along (rx, -ry, -1) to the wall at 8 m: (8 rx, (2 d - 8) ry, -8).
 TEST_P(RayEndsTest, ARayEndsOnTheWallThatItHits) {
   const std::vector<Image> got = ends();
-  for (int y = kFloorRow; y < kSize.height; ++y) {
+  for (int y = kFloorRow; y < kRoomSize.height; ++y) {
     for (int x = 0; x < 128; ++x) {
-      const double dist = distAt(y);
-      const glm::dvec3 pinhole = viewOf({x + 0.5, y + 0.5}, 1.0);
+      const double dist = roomDistAt(y);
+      const glm::dvec3 pinhole = roomViewOf({x + 0.5, y + 0.5}, 1.0);
       const glm::dvec3 end(kWallM * pinhole.x, (2.0 * dist - kWallM) * pinhole.y, -kWallM);
       for (int axis = 0; axis < 3; ++axis) {
         ASSERT_NEAR(got[0].at(x, y, static_cast<std::size_t>(axis)), end[axis], 2e-5) << x << " " << y;
@@ -48,9 +48,9 @@ TEST_P(RayEndsTest, ARayEndsOnTheWallThatItHits) {
 
 TEST_P(RayEndsTest, ARayThatMeetsNothingKeepsItsDirectionAndTheSky) {
   const std::vector<Image> got = ends();
-  for (int y = kFloorRow; y < kSize.height; ++y) {
-    for (int x = 128; x < kSize.width; ++x) {
-      const glm::dvec3 pinhole = viewOf({x + 0.5, y + 0.5}, 1.0);
+  for (int y = kFloorRow; y < kRoomSize.height; ++y) {
+    for (int x = 128; x < kRoomSize.width; ++x) {
+      const glm::dvec3 pinhole = roomViewOf({x + 0.5, y + 0.5}, 1.0);
       const glm::dvec3 direction = glm::normalize(glm::dvec3(pinhole.x, -pinhole.y, -1.0));
       for (int axis = 0; axis < 3; ++axis) {
         ASSERT_NEAR(got[0].at(x, y, static_cast<std::size_t>(axis)), direction[axis], 1e-6) << x << " " << y;
@@ -64,7 +64,7 @@ TEST_P(RayEndsTest, ARayThatMeetsNothingKeepsItsDirectionAndTheSky) {
 TEST_P(RayEndsTest, WhatReflectsNothingHasNoRay) {
   const std::vector<Image> got = ends();
   for (int y = 0; y < kFloorRow; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+    for (int x = 0; x < kRoomSize.width; ++x) {
       ASSERT_EQ(got[0].at(x, y, 3), -1.0F) << x << " " << y;
     }
   }

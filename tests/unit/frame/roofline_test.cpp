@@ -5,21 +5,22 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{16, 4};
+constexpr Size kRooflineSize{16, 4};
 
 class RooflineTest : public PassTest {
  protected:
   // The pass over depths that `is_negative` somewhere, which no G-buffer is.
   Image drawn(const std::string& shader, int count, const std::function<bool(int x, int y)>& is_negative) {
     begin();
-    values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
-    values_.set("texel_uv", 1.0 / glm::dvec2(kSize.width, kSize.height));
+    values_.set("size_px", glm::dvec2(kRooflineSize.width, kRooflineSize.height));
+    values_.set("texel_uv", 1.0 / glm::dvec2(kRooflineSize.width, kRooflineSize.height));
     values_.set("roofline_count", count);
     give("dist_view",
          imageOf(
-             kSize, [&](int x, int y) { return std::array<double, 4>{is_negative(x, y) ? -1.0 : 5.0}; }, 1),
+             kRooflineSize,
+             [&](int x, int y) { return std::array<double, 4>{is_negative(x, y) ? -1.0 : 5.0}; }, 1),
          Format::kR32f);
-    return draw(shader, kSize, Format::kR32f);
+    return draw(shader, kRooflineSize, Format::kR32f);
   }
 
   Image arithmetic(double scale, double add, int count) {
@@ -27,7 +28,7 @@ class RooflineTest : public PassTest {
     values_.set("roofline_scale", scale);
     values_.set("roofline_add", add);
     values_.set("roofline_count", count);
-    return draw("bench_alu.frag", kSize, Format::kR32f);
+    return draw("bench_alu.frag", kRooflineSize, Format::kR32f);
   }
 };
 
@@ -55,7 +56,7 @@ TEST_P(RooflineTest, EachReadSendsTheNextOneOn) {
     for (int i = 0; i < kRooflineFetchCount; ++i) {
       const int step = atEveryThird(x, y) ? 2 : 1;
       total += step;
-      x = (x + step) % kSize.width;
+      x = (x + step) % kRooflineSize.width;
     }
     return total;
   };
@@ -67,7 +68,7 @@ TEST_P(RooflineTest, EveryReadIsMade) {
   const auto found = [](int x, int y) {
     double total = 0.0;
     for (int i = 0; i < kRooflineFetchCount; ++i) {
-      total += atEveryThird((x + i) % kSize.width, y) ? 0.0 : 1.0;
+      total += atEveryThird((x + i) % kRooflineSize.width, y) ? 0.0 : 1.0;
     }
     return total;
   };
@@ -88,7 +89,7 @@ TEST_P(RooflineTest, EveryMultiplyAddIsMade) {
 TEST_P(RooflineTest, TheWriteIsTheRecordOfNoRay) {
   begin();
   const std::vector<Image> written =
-      drawAll("bench_write.frag", kSize, {Format::kRg16i, Format::kRgba32f, Format::kRgba16ui});
+      drawAll("bench_write.frag", kRooflineSize, {Format::kRg16i, Format::kRgba32f, Format::kRgba16ui});
   // The point, whose first channels are -1; images of integers are not read back here.
   EXPECT_EQ(followsFormula(
                 written[1], [](int, int) { return -1.0; }, 0.0),

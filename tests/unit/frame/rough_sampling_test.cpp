@@ -14,7 +14,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{256, 256};
+constexpr Size kSamplingSize{256, 256};
 constexpr int kWhite = 0;  // point_set of random.glsl
 constexpr int kRounds = 4;
 constexpr std::size_t kRiseCount = 16;
@@ -45,7 +45,7 @@ glm::dvec3 normalOf(const GgxView& view) {
 
 Image constant(const std::array<double, 4>& texel, std::size_t channel_count = 4) {
   return imageOf(
-      kSize, [&](int, int) { return texel; }, channel_count);
+      kSamplingSize, [&](int, int) { return texel; }, channel_count);
 }
 
 class RoughSamplingTest : public PassTest {
@@ -67,7 +67,7 @@ class RoughSamplingTest : public PassTest {
     values_.set("sample_count", kRounds);
     values_.set("frame_index", 0);
     values_.set("point_set", kWhite);
-    return draw(shader, kSize);
+    return draw(shader, kSamplingSize);
   }
 
   // Calls with every microfacet of every round, in the frame of the normal with the eye over the x axis.
@@ -112,7 +112,7 @@ double RoughSamplingTest::meanReflected(const GgxView& view, double reflectance,
   // Half of the rays hit, half meet the sky.
   giveIntegers("hit_texel",
                imageOf(
-                   kSize,
+                   kSamplingSize,
                    [](int x, int) {
                      return std::array{x % 2 - 1.0, 0.0, 0.0, 0.0};
                    },
@@ -121,7 +121,7 @@ double RoughSamplingTest::meanReflected(const GgxView& view, double reflectance,
   values_.set("up_view", normalOf(view));  // below it the sky is darker
   values_.set("sky_horizon", glm::dvec3(1.0));
   values_.set("sky_zenith", glm::dvec3(1.0));
-  const Image reflected = draw(accumulating, kSize);
+  const Image reflected = draw(accumulating, kSamplingSize);
   double mean = 0.0;
   for (std::size_t texel = 0; texel < reflected.texelCount(); ++texel) {
     mean += reflected.data[4 * texel] / static_cast<double>(reflected.texelCount());
@@ -220,7 +220,7 @@ TEST_P(RoughSamplingTest, WeightsWithoutFresnelGiveTheWhiteAlbedo) {
       give("reflected_sum", constant({0.0, 0.0, 0.0, 0.0}));
       give("weight_sum", constant({0.0, 0.0, 0.0, 0.0}, 1));
       giveIntegers("hit_texel", constant({0.0, 0.0, 0.0, 0.0}, 2), Format::kRg16i);
-      const std::vector<Image> sums = drawAll(shader, kSize, {Format::kRgba32f, Format::kR32f});
+      const std::vector<Image> sums = drawAll(shader, kSamplingSize, {Format::kRgba32f, Format::kR32f});
       double colour = 0.0;
       double weight = 0.0;
       for (std::size_t texel = 0; texel < sums[1].texelCount(); ++texel) {

@@ -22,7 +22,7 @@ namespace ssrkit {
 namespace {
 
 // M1 at 256 x 256 by its formulas: mirror floor one metre below, wall eight metres ahead, f = 2.
-Job floorAndWall() {
+Job m1ByFormula() {
   const Size size{256, 256};
   Job job;
   job.id = "m1 by formula";
@@ -63,7 +63,7 @@ class RunJobTest : public FrameDeviceTest {
   [[nodiscard]] std::string refusalOf(const std::string& glsl) {
     const std::filesystem::path file = minePath();
     EXPECT_TRUE(writeFileAtomically(file, glsl).has_value());
-    Job job = floorAndWall();
+    Job job = m1ByFormula();
     job.traces = {{.stage = "walk"}};
     job.replacements = {{.pass = "walk", .file = file}};
     const auto result = runJob(*device_, target_, job);
@@ -73,7 +73,7 @@ class RunJobTest : public FrameDeviceTest {
 };
 
 TEST_P(RunJobTest, EveryMirrorTexelOfM1HitsRow319MinusItsOwn) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walk"},
                 {.stage = "hiz"},
                 {.stage = "dda"},
@@ -97,7 +97,7 @@ TEST_P(RunJobTest, EveryMirrorTexelOfM1HitsRow319MinusItsOwn) {
 }
 
 TEST_P(RunJobTest, TheTunedFormGivesTheTextbooksBitsOverRandomDepths) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   std::mt19937 random(11);
   std::uniform_real_distribution<float> metres(1.0F, 12.0F);
   for (float& dist : job.gbuffer.at("dist_view").data) {
@@ -126,7 +126,7 @@ TEST_P(RunJobTest, TheTunedFormGivesTheTextbooksBitsOverRandomDepths) {
 }
 
 TEST_P(RunJobTest, TimesInterleavedRoundsAfterAColdOne) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walk", .technique = ""}, {.stage = "hiz", .technique = ""}};
   job.timing.rounds = 3;
   const auto result = runJob(*device_, target_, job);
@@ -142,7 +142,7 @@ TEST_P(RunJobTest, TimesInterleavedRoundsAfterAColdOne) {
 
 TEST_P(RunJobTest, EveryTechniqueMakesAFinitePictureOfM1) {
   for (const Technique& technique : techniques()) {
-    Job job = floorAndWall();
+    Job job = m1ByFormula();
     job.frame = technique.frame.empty() ? "basic" : technique.frame;
     job.traces = {{.stage = "hiz", .technique = technique.name}};
     const auto result = runJob(*device_, target_, job);
@@ -161,7 +161,7 @@ TEST_P(RunJobTest, EveryTechniqueMakesAFinitePictureOfM1) {
 
 TEST_P(RunJobTest, EveryFrameMakesTheTechniqueItIsShownWith) {
   for (const FrameKind& kind : frameKinds()) {
-    Job job = floorAndWall();
+    Job job = m1ByFormula();
     job.frame = kind.name;
     job.traces = {{.stage = "hiz", .technique = kind.technique}};
     const auto result = runJob(*device_, target_, job);
@@ -172,7 +172,7 @@ TEST_P(RunJobTest, EveryFrameMakesTheTechniqueItIsShownWith) {
 }
 
 TEST_P(RunJobTest, NeedsBothLitImagesOrNeitherWhereOneHasNoSpecular) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.frame = "full";
   job.traces = {{.stage = "walk", .technique = "replace"}};
   job.gbuffer["lit"] = Image(job.size, {"R", "G", "B"});
@@ -188,7 +188,7 @@ TEST_P(RunJobTest, NeedsBothLitImagesOrNeitherWhereOneHasNoSpecular) {
 }
 
 TEST_P(RunJobTest, NamesTheTechniqueThatDoesNotExist) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walk", .technique = "mirorr"}};
   const auto result = runJob(*device_, target_, job);
   ASSERT_FALSE(result.has_value());
@@ -196,7 +196,7 @@ TEST_P(RunJobTest, NamesTheTechniqueThatDoesNotExist) {
 }
 
 TEST_P(RunJobTest, NamesTheStageThatDoesNotExist) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walks"}};
   const auto result = runJob(*device_, target_, job);
   ASSERT_FALSE(result.has_value());
@@ -204,7 +204,7 @@ TEST_P(RunJobTest, NamesTheStageThatDoesNotExist) {
 }
 
 TEST_P(RunJobTest, NamesThePassThatCannotBeReplaced) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walk"}};
   job.replacements = {{.pass = "trace_wlak", .file = "mine.frag"}};
   const auto result = runJob(*device_, target_, job);
@@ -213,7 +213,7 @@ TEST_P(RunJobTest, NamesThePassThatCannotBeReplaced) {
 }
 
 TEST_P(RunJobTest, RefusesAReplacementOfAPassThatItDoesNotDraw) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "walk"}, {.stage = "dda"}};
   // The G-buffer was given, the frame is "basic", the technique "mirror", and neither tracer reads a pyramid.
   for (const char* pass : {"gbuffer", "shadow", "ao", "shadow_map", "accumulate", "composite_replace",
@@ -232,7 +232,7 @@ TEST_P(RunJobTest, RefusesAReplacementOfAPassThatItDoesNotDraw) {
 }
 
 TEST_P(RunJobTest, TakesReplacementsOfWhatItDrawsAndLeavesOthersWhereToldTo) {
-  Job job = floorAndWall();
+  Job job = m1ByFormula();
   job.traces = {{.stage = "hiz"}};
   for (const char* pass :
        {"light", "resolve", "composite", "pyramid_base", "pyramid_reduce", "without_ray"}) {
@@ -259,7 +259,7 @@ TEST_P(RunJobTest, KeepsAClassThatDoesNotExistAsTheShaderWroteIt) {
                               "void main() {{ a = ivec2(-1); b = vec4(-1.0); c = uvec4({}u, 0, 0, 0); }}\n",
                               written))
             .has_value());
-    Job job = floorAndWall();
+    Job job = m1ByFormula();
     job.traces = {{.stage = "walk", .parameters = {}, .technique = ""}};
     job.replacements = {{.pass = "walk", .file = file}};
     const auto result = runJob(*device_, target_, job);

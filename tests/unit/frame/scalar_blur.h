@@ -7,18 +7,15 @@
 #include <functional>
 #include <glm/glm.hpp>
 
+#include "blur_image.h"
 #include "pass_test.h"
 
-namespace ssrkit::scalar_blur {
-
-inline constexpr Size kSize{61, 47};
-inline constexpr double kPxScale = 80.0;
-inline constexpr double kDist = 5.0;
+namespace ssrkit {
 
 // What a blur is given: a function of the texel for each image.
-struct Surface {
+struct BlurredSurface {
   std::function<std::array<double, 4>(int x, int y)> source;
-  std::function<double(int x, int y)> dist_view = [](int, int) { return kDist; };
+  std::function<double(int x, int y)> dist_view = [](int, int) { return kBlurDist; };
   std::function<double(int x, int y)> radius_px = [](int, int) { return 6.0; };
   std::function<std::array<double, 4>(int x, int y)> normal = [](int, int) {
     return std::array{0.0, 0.0, 1.0, 1.0};
@@ -26,14 +23,14 @@ struct Surface {
 };
 
 // Position in view space, the image's middle on the axis.
-inline glm::dvec3 positionView(const Surface& surface, int x, int y) {
+inline glm::dvec3 positionView(const BlurredSurface& surface, int x, int y) {
   const double dist = surface.dist_view(x, y);
-  return {dist * (x + 0.5 - kSize.width / 2.0) / kPxScale, -dist * (y + 0.5 - kSize.height / 2.0) / kPxScale,
-          -dist};
+  return {dist * (x + 0.5 - kBlurSize.width / 2.0) / kBlurPxScale,
+          -dist * (y + 0.5 - kBlurSize.height / 2.0) / kBlurPxScale, -dist};
 }
 
 // Weight of one texel in another's blur along one axis, `offset` texels away.
-inline double weightOf(const Surface& surface, int x, int y, int other_x, int other_y, int offset) {
+inline double blurWeight(const BlurredSurface& surface, int x, int y, int other_x, int other_y, int offset) {
   const double radius = std::min(surface.radius_px(x, y), surface.radius_px(other_x, other_y));
   if (radius <= 0.0) {
     return 0.0;
@@ -51,8 +48,8 @@ inline double weightOf(const Surface& surface, int x, int y, int other_x, int ot
 }
 
 // One axis in double precision: every tap within the radius, weighed, colours times alpha.
-inline Image blurredAlong(const Surface& surface, const Image& source, bool along_y) {
-  return imageOf(kSize, [&](int x, int y) {
+inline Image blurredAlong(const BlurredSurface& surface, const Image& source, bool along_y) {
+  return imageOf(kBlurSize, [&](int x, int y) {
     const double radius = surface.radius_px(x, y);
     std::array<double, 4> sum{};
     double weights = 0.0;
@@ -61,10 +58,10 @@ inline Image blurredAlong(const Surface& surface, const Image& source, bool alon
       const int offset = tap * spacing;
       const int other_x = along_y ? x : x + offset;
       const int other_y = along_y ? y + offset : y;
-      if (other_x < 0 || other_y < 0 || other_x >= kSize.width || other_y >= kSize.height) {
+      if (other_x < 0 || other_y < 0 || other_x >= kBlurSize.width || other_y >= kBlurSize.height) {
         continue;
       }
-      const double weight = tap == 0 ? 1.0 : weightOf(surface, x, y, other_x, other_y, offset);
+      const double weight = tap == 0 ? 1.0 : blurWeight(surface, x, y, other_x, other_y, offset);
       weights += weight;
       for (std::size_t channel = 0; channel < 4; ++channel) {
         const auto alpha = static_cast<double>(source.at(other_x, other_y, 3));
@@ -80,4 +77,4 @@ inline Image blurredAlong(const Surface& surface, const Image& source, bool alon
   });
 }
 
-}  // namespace ssrkit::scalar_blur
+}  // namespace ssrkit

@@ -15,14 +15,13 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{192, 108};
-const std::string kSource = SSRKIT_SOURCE_DIR;
+constexpr Size kSequenceSize{192, 108};
 
 Job jobOf(const std::string& scene, const Sequence& sequence) {
   Job job;
   job.id = scene;
-  job.scene_file = kSource + "/scenes/" + scene + "/" + scene + ".gltf";
-  job.size = kSize;
+  job.scene_file = SSRKIT_SOURCE_DIR "/scenes/" + scene + "/" + scene + ".gltf";
+  job.size = kSequenceSize;
   job.shader_root = kitShaders();
   job.sequence = sequence;
   return job;
@@ -78,8 +77,8 @@ TEST_P(SequenceTest, MotionIsThatOfTheSurfacePointOfEveryTexel) {
   const Image& motion = result.images.at("motion");
   double worst_px = 0.0;
   int moved = 0;
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kSequenceSize.height; ++y) {
+    for (int x = 0; x < kSequenceSize.width; ++x) {
       const double dist = dist_view.at(x, y);
       if (std::isinf(dist)) {
         EXPECT_EQ(motion.at(x, y, 0), 0.0F);
@@ -183,7 +182,8 @@ TEST_P(SequenceTest, InTheFullFrameReflectionsAreFoundWhereTheyWere) {
     return rmsDifference(result.traces[1].images.at("composite"), result.traces[0].images.at("composite"));
   };
   const double by_image = drag();
-  job.replacements = {{.pass = "accumulate", .file = kSource + "/tests/mutants/accumulate_by_receiver.frag"}};
+  job.replacements = {
+      {.pass = "accumulate", .file = SSRKIT_SOURCE_DIR "/tests/mutants/accumulate_by_receiver.frag"}};
   const double by_receiver = drag();
   EXPECT_LT(by_image, 0.7 * by_receiver) << by_receiver;  // measured 0.0286 and 0.0431
 }

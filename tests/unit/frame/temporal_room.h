@@ -12,32 +12,32 @@
 
 namespace ssrkit {
 
-inline constexpr Size kSize{256, 256};
+inline constexpr Size kRoomSize{256, 256};
 inline constexpr double kScalePx = 256.0;
 inline constexpr double kWallM = 8.0;
 inline constexpr int kFloorRow = 160;
-inline constexpr double kTolerance = 3e-6;  // of colours up to 1: 8e-4 px
+inline constexpr double kRoomTolerance = 3e-6;  // of colours up to 1: 8e-4 px
 
-inline bool isFloor(int y) {
+inline bool isFloorRow(int y) {
   return y >= kFloorRow;
 }
 
 // Metres along the view axis of what the texel's centre shows, with the wall `further_m` further away.
-inline double distAt(int y, double further_m = 0.0) {
-  return isFloor(y) ? kScalePx / (y + 0.5 - 128.0) : kWallM + further_m;
+inline double roomDistAt(int y, double further_m = 0.0) {
+  return isFloorRow(y) ? kScalePx / (y + 0.5 - 128.0) : kWallM + further_m;
 }
 
-inline glm::dvec2 pxOf(const glm::dvec3& p_view) {
+inline glm::dvec2 roomPxOf(const glm::dvec3& p_view) {
   return {128.0 + kScalePx * p_view.x / -p_view.z, 128.0 - kScalePx * p_view.y / -p_view.z};
 }
 
-inline glm::dvec3 viewOf(const glm::dvec2& p_px, double dist) {
+inline glm::dvec3 roomViewOf(const glm::dvec2& p_px, double dist) {
   return {dist * (p_px.x - 128.0) / kScalePx, -dist * (p_px.y - 128.0) / kScalePx, -dist};
 }
 
 // The wall texel that a floor texel shows: its mirror image about the row 160 (docs/spaces.md).
 inline std::array<double, 4> hitOf(int x, int y) {
-  return isFloor(y) ? std::array<double, 4>{1.0 * x, 319.0 - y} : std::array<double, 4>{-1.0, -1.0};
+  return isFloorRow(y) ? std::array<double, 4>{1.0 * x, 319.0 - y} : std::array<double, 4>{-1.0, -1.0};
 }
 
 // How the camera moved since the previous frame: to the right, and ahead.
@@ -51,8 +51,8 @@ inline glm::dvec3 previousView(const glm::dvec3& p_view, const Step& step) {
 }
 
 inline glm::dvec2 cameraMotion(int x, int y, const Step& step) {
-  const glm::dvec3 p_view = viewOf({x + 0.5, y + 0.5}, distAt(y));
-  return pxOf(p_view) - pxOf(previousView(p_view, step));
+  const glm::dvec3 p_view = roomViewOf({x + 0.5, y + 0.5}, roomDistAt(y));
+  return roomPxOf(p_view) - roomPxOf(previousView(p_view, step));
 }
 
 class TemporalTest : public PassTest {
@@ -62,7 +62,7 @@ class TemporalTest : public PassTest {
     begin();
     values_.set("previous_view_from_view",
                 glm::translate(glm::dmat4(1.0), glm::dvec3(step.right_m, 0.0, -step.ahead_m)));
-    values_.set("size_px", glm::dvec2(kSize.width, kSize.height));
+    values_.set("size_px", glm::dvec2(kRoomSize.width, kRoomSize.height));
     values_.set("px_scale", glm::dvec2(kScalePx, -kScalePx));
     values_.set("px_offset", glm::dvec2(128.0));
     values_.set("view_per_px", glm::dvec2(1.0 / kScalePx, -1.0 / kScalePx));
@@ -73,40 +73,42 @@ class TemporalTest : public PassTest {
     values_.set("is_straight_alpha", 1);
     give("dist_view",
          imageOf(
-             kSize, [](int, int y) { return std::array<double, 4>{distAt(y)}; }, 1),
+             kRoomSize, [](int, int y) { return std::array<double, 4>{roomDistAt(y)}; }, 1),
          Format::kR32f);
-    give("normal_view", imageOf(kSize, [](int, int y) {
-           return isFloor(y) ? std::array{0.0, 1.0, 0.0, 1.0} : std::array{0.0, 0.0, 1.0, 1.0};
+    give("normal_view", imageOf(kRoomSize, [](int, int y) {
+           return isFloorRow(y) ? std::array{0.0, 1.0, 0.0, 1.0} : std::array{0.0, 0.0, 1.0, 1.0};
          }));
-    give("material", imageOf(kSize, [](int, int y) {
-           return std::array{1.0, 0.0, isFloor(y) ? 1.0 : 0.0, 1.0};
+    give("material", imageOf(kRoomSize, [](int, int y) {
+           return std::array{1.0, 0.0, isFloorRow(y) ? 1.0 : 0.0, 1.0};
          }));
     give("motion",
          imageOf(
-             kSize,
+             kRoomSize,
              [&](int x, int y) {
-               const glm::dvec2 motion = cameraMotion(x, y, step) + (isFloor(y) ? glm::dvec2(0.0) : own_px);
+               const glm::dvec2 motion =
+                   cameraMotion(x, y, step) + (isFloorRow(y) ? glm::dvec2(0.0) : own_px);
                return std::array<double, 4>{motion.x, motion.y};
              },
              2),
          Format::kRg32f);
     give("previous_dist_view",
          imageOf(
-             kSize, [&](int, int y) { return std::array<double, 4>{distAt(y, step.ahead_m)}; }, 1),
+             kRoomSize, [&](int, int y) { return std::array<double, 4>{roomDistAt(y, step.ahead_m)}; }, 1),
          Format::kR32f);
-    giveIntegers("hit_texel", imageOf(kSize, hitOf, 2), Format::kRg16i);
+    giveIntegers("hit_texel", imageOf(kRoomSize, hitOf, 2), Format::kRg16i);
     // Along the ray's own line the wall's mirror image lies at the wall's depth.
-    give("hit_point", imageOf(kSize, [](int x, int y) {
-           const double dist = distAt(y);
-           const double t_m =
-               isFloor(y) ? glm::length(viewOf({x + 0.5, y + 0.5}, dist)) * (kWallM / dist - 1.0) : -1.0;
+    give("hit_point", imageOf(kRoomSize, [](int x, int y) {
+           const double dist = roomDistAt(y);
+           const double t_m = isFloorRow(y)
+                                  ? glm::length(roomViewOf({x + 0.5, y + 0.5}, dist)) * (kWallM / dist - 1.0)
+                                  : -1.0;
            return std::array{x + 0.5, 319.5 - y, t_m, 0.0};
          }));
   }
 
   // An image whose red and green are the texel's position over the image's size.
   void giveRamp(const std::string& name) {
-    give(name, imageOf(kSize, [](int x, int y) {
+    give(name, imageOf(kRoomSize, [](int x, int y) {
            return std::array{(x + 0.5) / 256.0, (y + 0.5) / 256.0, 0.0, 1.0};
          }));
   }
@@ -116,14 +118,14 @@ class TemporalTest : public PassTest {
   // surface.
   static std::string followsRamp(const Image& got,
                                  const std::function<glm::dvec2(int x, int y)>& position_px) {
-    for (int y = kFloorRow + 2; y < kSize.height - 2; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = kFloorRow + 2; y < kRoomSize.height - 2; ++y) {
+      for (int x = 0; x < kRoomSize.width; ++x) {
         const glm::dvec2 position = position_px(x, y);
         const bool is_inside = position.x > 2 && position.x < 254 && position.y > 2 && position.y < 254 &&
                                std::abs(position.y - kFloorRow) > 2;
         const double off = std::max(std::abs(got.at(x, y, 0) - position.x / 256.0),
                                     std::abs(got.at(x, y, 1) - position.y / 256.0));
-        if (is_inside && !(off <= kTolerance)) {
+        if (is_inside && !(off <= kRoomTolerance)) {
           return fmt::format("texel {}, {} is the ramp at {}, {} where {}, {} is right", x, y,
                              256 * got.at(x, y, 0), 256 * got.at(x, y, 1), position.x, position.y);
         }

@@ -16,7 +16,7 @@
 namespace ssrkit {
 namespace {
 
-const Size kFloorSize{64, 256};
+const Size kTallFloorSize{64, 256};
 
 class TracersOverFloorTest : public TracerFixture {};
 
@@ -24,13 +24,13 @@ class TracersOverFloorTest : public TracerFixture {};
 TEST_P(TracersOverFloorTest, PixelsWithoutARaySayWhy) {
   for (const bool has_wall : {false, true}) {
     const double wall_m = has_wall ? 8.0 : std::numeric_limits<double>::infinity();
-    const RayRecord record = trace(floorAndWall(kFloorSize, wall_m), "walk", {}, "");
-    for (int x = 0; x < kFloorSize.width; ++x) {
-      const RayHit& above = record.at(x, kFloorSize.height / 4);
+    const RayRecord record = trace(floorAndWall(kTallFloorSize, wall_m), "walk", {}, "");
+    for (int x = 0; x < kTallFloorSize.width; ++x) {
+      const RayHit& above = record.at(x, kTallFloorSize.height / 4);
       EXPECT_EQ(above.ray_class, has_wall ? RayClass::kMasked : RayClass::kBackground) << x;
       EXPECT_EQ(above.lookups, 0U) << x;
       EXPECT_EQ(above.texel_x, -1) << x;
-      EXPECT_GT(record.at(x, kFloorSize.height - 1).lookups, 0U) << x;
+      EXPECT_GT(record.at(x, kTallFloorSize.height - 1).lookups, 0U) << x;
     }
   }
 }
@@ -41,12 +41,12 @@ TEST_P(TracersOverFloorTest, BackgroundThatIsTakenForASurfaceIsStillBackground) 
       std::filesystem::temp_directory_path() / fmt::format("ssrkit_everywhere_{}.frag", getpid());
   std::ofstream(everywhere) << "#version 450\nlayout(location = 0) out uvec4 ray_work;\n"
                                "void main() { ray_work = uvec4(0); gl_FragDepth = 1.0; }\n";
-  Job job = floorAndWall(kFloorSize, std::numeric_limits<double>::infinity());
+  Job job = floorAndWall(kTallFloorSize, std::numeric_limits<double>::infinity());
   job.replacements = {{.pass = "without_ray", .file = everywhere}};
   const RayRecord record = trace(job, "walk", {}, "");
   std::filesystem::remove(everywhere);
-  for (int x = 0; x < kFloorSize.width; ++x) {
-    const RayHit& above = record.at(x, kFloorSize.height / 4);
+  for (int x = 0; x < kTallFloorSize.width; ++x) {
+    const RayHit& above = record.at(x, kTallFloorSize.height / 4);
     EXPECT_EQ(above.ray_class, RayClass::kBackground) << x;
     EXPECT_EQ(above.lookups, 0U) << x;
     EXPECT_EQ(above.texel_x, -1) << x;
@@ -74,22 +74,22 @@ TEST_P(TracersOverFloorTest, TheMostStepsReachEveryRaysEnd) {
 // is behind the wall is anything from nothing to all, of neighbours too: mean 1/2, variance 1/12.
 TEST_P(TracersOverFloorTest, DitherMovesTheSamplesOfNeighboursApart) {
   constexpr int kStridePx = 16;
-  const RayRecord record = trace(floorAndWall(kFloorSize, 8.0), "homogeneous",
+  const RayRecord record = trace(floorAndWall(kTallFloorSize, 8.0), "homogeneous",
                                  {.bisection_count = 0, .stride_px = kStridePx, .jitter = 1.0}, "");
   int rows = 0;
-  for (int y = 0; y < kFloorSize.height; ++y) {
+  for (int y = 0; y < kTallFloorSize.height; ++y) {
     double sum = 0.0;
     double squares = 0.0;
-    for (int x = 0; x < kFloorSize.width; ++x) {
+    for (int x = 0; x < kTallFloorSize.width; ++x) {
       const RayHit& ray = record.at(x, y);
       if (ray.ray_class != RayClass::kHit) {
         break;
       }
       // Row y mirrors at the wall's foot, px_y 160, into 320 - (y + 0.5); what lies behind it is higher up.
       const double behind = (319.5 - y - static_cast<double>(ray.px_y)) / kStridePx;
-      sum += behind / kFloorSize.width;
-      squares += behind * behind / kFloorSize.width;
-      rows += x + 1 == kFloorSize.width ? 1 : 0;
+      sum += behind / kTallFloorSize.width;
+      squares += behind * behind / kTallFloorSize.width;
+      rows += x + 1 == kTallFloorSize.width ? 1 : 0;
     }
     if (rows > 0 && sum > 0.0) {
       EXPECT_NEAR(sum, 0.5, 0.1) << y;
@@ -103,14 +103,14 @@ TEST_P(TracersOverFloorTest, DitherMovesTheSamplesOfNeighboursApart) {
 // half a pixel before it, at M^2 / (M + 0.5), so ceil of that over N are looked at, and none beyond.
 TEST_P(TracersOverFloorTest, HomogeneousStepsEndBeforeTheVanishingPoint) {
   const auto check = [&](const std::string& shader) -> std::string {
-    const Job job = floorAndWall(kFloorSize, std::numeric_limits<double>::infinity());
+    const Job job = floorAndWall(kTallFloorSize, std::numeric_limits<double>::infinity());
     for (const int stride : {1, 4, 10, 33}) {
       const RayRecord record = trace(job, "homogeneous", {.stride_px = stride}, shader);
-      for (int y = kFloorSize.height / 2; y < kFloorSize.height; ++y) {
-        const double to_vanishing_px = 2.0 * (y + 0.5) - kFloorSize.height;
+      for (int y = kTallFloorSize.height / 2; y < kTallFloorSize.height; ++y) {
+        const double to_vanishing_px = 2.0 * (y + 0.5) - kTallFloorSize.height;
         const double samples =
             std::ceil(to_vanishing_px * to_vanishing_px / (to_vanishing_px + 0.5) / stride);
-        for (int x = 0; x < kFloorSize.width; ++x) {
+        for (int x = 0; x < kTallFloorSize.width; ++x) {
           const RayHit& ray = record.at(x, y);
           if (ray.ray_class != RayClass::kRange || ray.steps != samples) {
             return fmt::format("stride {} pixel {}, {}: {} after {} steps, not RANGE after {}", stride, x, y,

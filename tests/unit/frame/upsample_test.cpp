@@ -16,7 +16,7 @@ namespace ssrkit {
 namespace {
 
 constexpr double kHalfUlp = 1.0 / 1024.0;  // of values up to 1 as 16-bit floats
-const std::vector<Size> kSizes = {{127, 63}, {64, 32}, {2, 3}, {1, 1}};
+const std::vector<Size> kUpsampledSizes = {{127, 63}, {64, 32}, {2, 3}, {1, 1}};
 
 Size raysOf(Size size) {
   return {(size.width + 1) / 2, (size.height + 1) / 2};
@@ -66,7 +66,7 @@ class UpsampleTest : public PassTest {
 
 TEST_P(UpsampleTest, AConstantStaysConstantAtEverySize) {
   const auto constant = [](int, int) { return std::array{0.25, 0.5, 0.75, 1.0}; };
-  for (const Size size : kSizes) {
+  for (const Size size : kUpsampledSizes) {
     EXPECT_EQ(
         difference(upsampled("upsample.frag", size, facingWall, constant), imageOf(size, constant), 1e-6),
         "");
@@ -77,7 +77,7 @@ TEST_P(UpsampleTest, AConstantStaysConstantAtEverySize) {
 // and row of an even size, beyond which there is no ray.
 TEST_P(UpsampleTest, ARampStaysARamp) {
   const auto check = [&](const std::string& shader) -> std::string {
-    for (const Size size : kSizes) {
+    for (const Size size : kUpsampledSizes) {
       const auto ramp = [size](int x, int y) {
         const double last_x = size.width - 1 - (size.width + 1) % 2;
         const double last_y = size.height - 1 - (size.height + 1) % 2;

@@ -21,10 +21,10 @@
 namespace ssrkit {
 namespace {
 
-constexpr Size kSize{67, 41};  // tiles and quads do not fit
+constexpr Size kVariantsSize{67, 41};  // tiles and quads do not fit
 
 Job tracesOf(const std::string& variant) {
-  Job job = randomBlocks(kSize);
+  Job job = randomBlocks(kVariantsSize);
   job.traces = {{.stage = "walk"}, {.stage = "dda"}, {.stage = "hiz"}, {.stage = "refined"}};
   job.variant = variant;
   return job;

@@ -15,9 +15,9 @@
 namespace ssrkit {
 namespace {
 
+using test::TemporaryFolder;
 using testing::HandMadeExr;
 using testing::PixelType;
-using testing::TemporaryFolder;
 
 HandMadeExr twoByOne() {
   HandMadeExr exr{.width = 2, .height = 1, .channels = {}};

@@ -17,9 +17,9 @@
 namespace ssrkit {
 namespace {
 
+using test::TemporaryFolder;
 using testing::HandMadeExr;
 using testing::PixelType;
-using testing::TemporaryFolder;
 
 std::vector<std::uint32_t> bitsOf(const std::vector<float>& values) {
   std::vector<std::uint32_t> bits;

@@ -11,7 +11,7 @@
 namespace ssrkit {
 namespace {
 
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 TEST(WritePng, KeepsEveryByteOfRgbAndRgba) {
   const TemporaryFolder folder;

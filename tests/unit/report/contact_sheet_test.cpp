@@ -119,7 +119,7 @@ TEST(ContactSheet, TakesEverySizeAndWhatIsNotThere) {
 
 TEST(ContactSheet, IsWrittenAsPng) {
   TextPainter painter = painterForTests();
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const SheetData data = dataOf({64, 48}, 4);
   ASSERT_TRUE(writeContactSheet(folder / "sheet.png", data.sheet, painter));
   ASSERT_TRUE(writePng(folder / "drawn.png", drawContactSheet(data.sheet, painter)));

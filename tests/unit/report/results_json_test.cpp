@@ -165,7 +165,7 @@ TEST(ResultsJson, ItsLineIsTheOneThatIsPrinted) {
 }
 
 TEST(WriteResultsJson, WritesTheSameText) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ASSERT_TRUE(writeResultsJson(folder / "results.json", smallReport()));
   EXPECT_EQ(readFile(folder / "results.json").value(), resultsJson(smallReport()));
 }

@@ -7,13 +7,12 @@
 #include "scene/find_scene.h"
 #include "scene/framing.h"
 #include "scene/load.h"
+#include "scene_folder.h"
 
 namespace ssrkit {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kScenes = fs::path(SSRKIT_SOURCE_DIR) / "scenes";
 
 class BuiltInScene : public testing::TestWithParam<std::string> {
  protected:

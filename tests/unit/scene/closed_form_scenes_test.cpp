@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "scene/load.h"
+#include "scene_folder.h"
 #include "spaces/camera.h"
 
 namespace ssrkit {
 namespace {
 
 // Throws, which fails the test, when the scene does not load.
-Scene load(const std::string& name) {
-  return loadScene(std::filesystem::path(SSRKIT_SOURCE_DIR) / "scenes" / name / (name + ".gltf"))
+Scene builtInScene(const std::string& name) {
+  return loadScene(kScenes / name / (name + ".gltf"))
       .map_error([](const Error& error) { return sentence(error); })
       .value();
 }
@@ -46,7 +46,7 @@ glm::dvec2 pixelOf(const Camera& camera, const glm::dvec3& p_world) {
 class ClosedFormScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ClosedFormScene, HasItsCameraInTheOriginLookingAlongMinusZWithFocalLengthTwo) {
-  const Scene scene = load(GetParam());
+  const Scene scene = builtInScene(GetParam());
   ASSERT_EQ(scene.cameras.size(), 1U);
   EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat4(1.0));
   EXPECT_NEAR(1.0 / std::tan(0.5 * scene.cameras[0].fov_y_rad), 2.0, 1e-15);
@@ -54,7 +54,7 @@ TEST_P(ClosedFormScene, HasItsCameraInTheOriginLookingAlongMinusZWithFocalLength
 }
 
 TEST_P(ClosedFormScene, HasItsFloorOneMetreBelow) {
-  const Scene scene = load(GetParam());
+  const Scene scene = builtInScene(GetParam());
   const auto corners = cornersOf(scene, GetParam() == "m1" || GetParam() == "m3" ? "floor mirror" : "floor");
   ASSERT_EQ(corners.size(), 6U);
   EXPECT_EQ(extent(corners, 1), std::pair(-1.0, -1.0));
@@ -66,7 +66,7 @@ TEST_P(ClosedFormScene, HasItsFloorOneMetreBelow) {
 INSTANTIATE_TEST_SUITE_P(All, ClosedFormScene, testing::Values("m1", "m2", "m3", "m4"));
 
 TEST(SceneM1, TheFloorMeetsTheWallOnRow160Of256) {
-  const Scene scene = load("m1");
+  const Scene scene = builtInScene("m1");
   const Camera camera = cameraFor(scene.cameras[0], {256, 256});
   int on_contact = 0;
   for (const std::string material : {"floor mirror", "wall"}) {
@@ -81,7 +81,7 @@ TEST(SceneM1, TheFloorMeetsTheWallOnRow160Of256) {
 }
 
 TEST(SceneM1, TheWallFillsTheImageAboveTheContactUpTo21To9) {
-  const Scene scene = load("m1");
+  const Scene scene = builtInScene("m1");
   const auto wall = cornersOf(scene, "wall");
   EXPECT_EQ(extent(wall, 2), std::pair(-8.0, -8.0));
   const Camera camera = cameraFor(scene.cameras[0], {2520, 1080});
@@ -91,14 +91,14 @@ TEST(SceneM1, TheWallFillsTheImageAboveTheContactUpTo21To9) {
 }
 
 TEST(SceneM1, OnlyTheFloorIsAMirror) {
-  const Scene scene = load("m1");
+  const Scene scene = builtInScene("m1");
   for (const Material& material : scene.materials) {
     EXPECT_EQ(material.mirror, material.name == "floor mirror") << material.name;
   }
 }
 
 TEST(SceneM1, ThePictureOnTheWallIsNotItsOwnMirrorImage) {
-  const Scene scene = load("m1");
+  const Scene scene = builtInScene("m1");
   ASSERT_EQ(scene.textures.size(), 1U);
   const Texture& texture = scene.textures[0];
   const auto texel = [&](int x, int y) {
@@ -119,7 +119,7 @@ TEST(SceneM1, ThePictureOnTheWallIsNotItsOwnMirrorImage) {
 }
 
 TEST(SceneM2, TheMirrorStandsFourMetresAheadAndTheFloorReachesBehindTheCamera) {
-  const Scene scene = load("m2");
+  const Scene scene = builtInScene("m2");
   const auto mirror = cornersOf(scene, "wall mirror");
   EXPECT_EQ(extent(mirror, 2), std::pair(-4.0, -4.0));
   EXPECT_EQ(extent(mirror, 1).first, -1.0);
@@ -139,7 +139,7 @@ TEST(SceneM2, TheMirrorStandsFourMetresAheadAndTheFloorReachesBehindTheCamera) {
 }
 
 TEST(SceneM3, TheQuadFloatsFourMetresAheadBetweenItsRows) {
-  const Scene scene = load("m3");
+  const Scene scene = builtInScene("m3");
   const auto quad = cornersOf(scene, "floating quad");
   ASSERT_EQ(quad.size(), 6U);
   EXPECT_EQ(extent(quad, 2), std::pair(-4.0, -4.0));
@@ -151,7 +151,7 @@ TEST(SceneM3, TheQuadFloatsFourMetresAheadBetweenItsRows) {
 }
 
 TEST(SceneM4, ThePrincipalRayTurnsAtConstantDepthAndMeetsTheWallAtHalfTheHalfWidth) {
-  const Scene scene = load("m4");
+  const Scene scene = builtInScene("m4");
   glm::dvec3 normal(0.0);
   for (const Vertex& vertex : scene.vertices) {
     if (scene.materials[static_cast<std::size_t>(vertex.material_index)].name == "slanted mirror") {

@@ -9,18 +9,18 @@
 namespace ssrkit::test {
 namespace {
 
-Expected<SceneDefaults> load(const std::string& text) {
+Expected<SceneDefaults> loadDefaults(const std::string& text) {
   const ScratchFolder folder;
   return loadSceneDefaults(folder.write("a.toml", text));
 }
 
-std::string refusal(const std::string& text) {
-  const auto defaults = load(text);
+std::string defaultsRefusal(const std::string& text) {
+  const auto defaults = loadDefaults(text);
   return defaults ? "" : sentence(defaults.error());
 }
 
 TEST(SceneDefaults, ReadEveryKey) {
-  const auto defaults = load(R"(
+  const auto defaults = loadDefaults(R"(
 about = "One sentence."
 pictured = "A thing."
 look_for = "Its reflection."
@@ -54,64 +54,69 @@ environment = "skies/dusk.exr"
 }
 
 TEST(SceneDefaults, TakeAConstantForTheEnvironment) {
-  const auto defaults = load("environment = \"constant:1,0.5,0\"");
+  const auto defaults = loadDefaults("environment = \"constant:1,0.5,0\"");
   ASSERT_TRUE(defaults) << sentence(defaults.error());
   EXPECT_EQ(*defaults->environment, (EnvironmentChoice{.file = {}, .constant = glm::vec3(1.0F, 0.5F, 0.0F)}));
-  EXPECT_NE(refusal("environment = \"constant:1,2\"").find("a.toml:1:15: could not read the environment"),
-            std::string::npos)
-      << refusal("environment = \"constant:1,2\"");
-  EXPECT_NE(refusal("environment = \"\"").find("it names no file"), std::string::npos);
+  EXPECT_NE(
+      defaultsRefusal("environment = \"constant:1,2\"").find("a.toml:1:15: could not read the environment"),
+      std::string::npos)
+      << defaultsRefusal("environment = \"constant:1,2\"");
+  EXPECT_NE(defaultsRefusal("environment = \"\"").find("it names no file"), std::string::npos);
 }
 
 TEST(SceneDefaults, OfAnEmptyFileAreTheContracts) {
-  const auto defaults = load("");
+  const auto defaults = loadDefaults("");
   ASSERT_TRUE(defaults) << sentence(defaults.error());
   EXPECT_EQ(defaults->parameters, TraceParameters{});
   EXPECT_FALSE(defaults->light_direction_world);
 }
 
 TEST(SceneDefaults, AThicknessIsRelativeAloneWhereNoneInMetresIsGiven) {
-  const auto alone = load("thickness_rel = 0.05");
+  const auto alone = loadDefaults("thickness_rel = 0.05");
   ASSERT_TRUE(alone) << sentence(alone.error());
   EXPECT_EQ(alone->parameters.thickness_m, 0.0);
   EXPECT_EQ(alone->parameters.thickness_rel, 0.05);
   for (const char* both :
        {"thickness_rel = 0.05\nthickness_m = inf", "thickness_m = inf\nthickness_rel = 0.05"}) {
-    const auto sum = load(both);
+    const auto sum = loadDefaults(both);
     ASSERT_TRUE(sum) << sentence(sum.error());
     EXPECT_TRUE(std::isinf(sum->parameters.thickness_m));
   }
 }
 
 TEST(SceneDefaults, AnUnknownKeyIsRefusedAtItsPlace) {
-  EXPECT_NE(refusal("about = \"x\"\n  thicknes_m = 1\n")
+  EXPECT_NE(defaultsRefusal("about = \"x\"\n  thicknes_m = 1\n")
                 .find("a.toml:2:3: could not read the scene's defaults: there is no key 'thicknes_m'; did "
                       "you mean 'thickness_m'?"),
             std::string::npos)
-      << refusal("about = \"x\"\n  thicknes_m = 1\n");
+      << defaultsRefusal("about = \"x\"\n  thicknes_m = 1\n");
 }
 
 TEST(SceneDefaults, BadSyntaxIsRefusedAtItsPlace) {
-  EXPECT_NE(refusal("about = \"x\"\ncamera = = 1").find("a.toml:2:10: could not read the scene's defaults: "),
+  EXPECT_NE(defaultsRefusal("about = \"x\"\ncamera = = 1")
+                .find("a.toml:2:10: could not read the scene's defaults: "),
             std::string::npos)
-      << refusal("about = \"x\"\ncamera = = 1");
+      << defaultsRefusal("about = \"x\"\ncamera = = 1");
 }
 
 TEST(SceneDefaults, WrongTypesAreRefusedAtTheirPlace) {
-  EXPECT_NE(
-      refusal("about = 3").find("a.toml:1:9: could not read the scene's defaults: 'about' must be text"),
-      std::string::npos);
-  EXPECT_NE(refusal("sky_zenith = [1, 2]").find("'sky_zenith' must be three numbers"), std::string::npos);
-  EXPECT_NE(refusal("sky_zenith = [1, 2, -1]").find("'sky_zenith' must lie between 0 and 1000"),
+  EXPECT_NE(defaultsRefusal("about = 3")
+                .find("a.toml:1:9: could not read the scene's defaults: 'about' must be text"),
             std::string::npos);
-  EXPECT_NE(refusal("light_direction = [0, 0, 0]").find("must not be all zeros"), std::string::npos);
-  EXPECT_NE(refusal("light_direction = [0, nan, 0]").find("must be three numbers"), std::string::npos);
-  EXPECT_NE(refusal("thickness_m = [1]").find("'thickness_m' must be a number or text"), std::string::npos);
+  EXPECT_NE(defaultsRefusal("sky_zenith = [1, 2]").find("'sky_zenith' must be three numbers"),
+            std::string::npos);
+  EXPECT_NE(defaultsRefusal("sky_zenith = [1, 2, -1]").find("'sky_zenith' must lie between 0 and 1000"),
+            std::string::npos);
+  EXPECT_NE(defaultsRefusal("light_direction = [0, 0, 0]").find("must not be all zeros"), std::string::npos);
+  EXPECT_NE(defaultsRefusal("light_direction = [0, nan, 0]").find("must be three numbers"),
+            std::string::npos);
+  EXPECT_NE(defaultsRefusal("thickness_m = [1]").find("'thickness_m' must be a number or text"),
+            std::string::npos);
 }
 
 TEST(SceneDefaults, ParametersOutOfRangeAreRefusedAtTheirPlace) {
-  EXPECT_NE(refusal("thickness_m = -1").find("a.toml:1:15"), std::string::npos)
-      << refusal("thickness_m = -1");
+  EXPECT_NE(defaultsRefusal("thickness_m = -1").find("a.toml:1:15"), std::string::npos)
+      << defaultsRefusal("thickness_m = -1");
 }
 
 TEST(SceneDefaults, TheLookBesideASceneIsApplied) {

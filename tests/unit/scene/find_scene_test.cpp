@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "gltf_test_file.h"
+#include "scene_folder.h"
 
 namespace ssrkit::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kScenes = fs::path(SSRKIT_SOURCE_DIR) / "scenes";
-
-std::string refusal(const std::string& name) {
+std::string searchRefusal(const std::string& name) {
   const auto found = findScene(name, kScenes);
   return found ? "" : sentence(found.error());
 }
@@ -34,18 +33,18 @@ TEST(FindScene, FindsAFileByPath) {
 }
 
 TEST(FindScene, SuggestsTheNearestNameAndListsAll) {
-  EXPECT_NE(refusal("cluter").find(
+  EXPECT_NE(searchRefusal("cluter").find(
                 "could not find the scene 'cluter': there is no built-in scene or file of that name; "
                 "did you mean 'clutter'? the built-in scenes are m1, m2, m3, m4, clutter,"),
             std::string::npos)
-      << refusal("cluter");
+      << searchRefusal("cluter");
 }
 
 TEST(FindScene, TellsAFolderAndAMissingFileApart) {
-  EXPECT_NE(refusal(kScenes.string()).find("it is a folder; name the .gltf or .glb file in it"),
+  EXPECT_NE(searchRefusal(kScenes.string()).find("it is a folder; name the .gltf or .glb file in it"),
             std::string::npos);
-  EXPECT_NE(refusal("gone.gltf").find("there is no such file"), std::string::npos);
-  EXPECT_NE(refusal("").find("there is no built-in scene"), std::string::npos);
+  EXPECT_NE(searchRefusal("gone.gltf").find("there is no such file"), std::string::npos);
+  EXPECT_NE(searchRefusal("").find("there is no built-in scene"), std::string::npos);
 }
 
 }  // namespace

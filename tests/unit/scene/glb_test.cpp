@@ -43,19 +43,19 @@ std::string triangleGlb() {
                                                   std::string(indices.begin(), indices.end())));
 }
 
-Expected<Scene> load(const std::string& bytes, const std::string& name = "a.glb") {
+Expected<Scene> loadGlb(const std::string& bytes, const std::string& name = "a.glb") {
   const ScratchFolder folder;
   return loadScene(folder.write(name, bytes));
 }
 
-std::string refusal(const std::string& bytes) {
-  const auto scene = load(bytes);
+std::string glbRefusal(const std::string& bytes) {
+  const auto scene = loadGlb(bytes);
   return scene ? "" : sentence(scene.error());
 }
 
 TEST(Glb, IsReadWithItsBinaryChunkWhateverItsName) {
   for (const char* name : {"a.glb", "a.gltf", "a"}) {
-    const auto scene = load(triangleGlb(), name);
+    const auto scene = loadGlb(triangleGlb(), name);
     ASSERT_TRUE(scene) << sentence(scene.error());
     EXPECT_EQ(scene->vertices[1].p_world, glm::vec3(1, 0, 0));
   }
@@ -63,27 +63,27 @@ TEST(Glb, IsReadWithItsBinaryChunkWhateverItsName) {
 
 TEST(Glb, ChunksOfOtherKindsAreSkipped) {
   std::string bytes = triangleGlb().substr(12) + chunk("XTRA", "1234");
-  EXPECT_TRUE(load(glb(bytes)));
+  EXPECT_TRUE(loadGlb(glb(bytes)));
 }
 
 TEST(Glb, BrokenContainersAreRefused) {
-  EXPECT_NE(refusal("glTF").find("the file ends after 4 bytes, inside the GLB header"), std::string::npos);
-  EXPECT_NE(refusal(glb(jsonChunk("{}  "), 1)).find("it is GLB version 1"), std::string::npos);
+  EXPECT_NE(glbRefusal("glTF").find("the file ends after 4 bytes, inside the GLB header"), std::string::npos);
+  EXPECT_NE(glbRefusal(glb(jsonChunk("{}  "), 1)).find("it is GLB version 1"), std::string::npos);
   const std::string whole = triangleGlb();
-  EXPECT_NE(refusal(whole.substr(0, whole.size() - 1)).find("its header says"), std::string::npos);
-  EXPECT_NE(refusal(glb(binaryChunk("1234") + jsonChunk("{}")))
+  EXPECT_NE(glbRefusal(whole.substr(0, whole.size() - 1)).find("its header says"), std::string::npos);
+  EXPECT_NE(glbRefusal(glb(binaryChunk("1234") + jsonChunk("{}")))
                 .find("chunk 0: could not load the scene: a GLB file begins with its one JSON chunk"),
             std::string::npos);
-  EXPECT_NE(refusal(glb(word(0xFFFFFFFFU) + "JSON{}"))
+  EXPECT_NE(glbRefusal(glb(word(0xFFFFFFFFU) + "JSON{}"))
                 .find("chunk 0: could not load the scene: it has 4294967295 bytes and 2 are left"),
             std::string::npos);
-  EXPECT_NE(refusal(glb(jsonChunk(""))).find("the JSON chunk is empty"), std::string::npos);
+  EXPECT_NE(glbRefusal(glb(jsonChunk(""))).find("the JSON chunk is empty"), std::string::npos);
 }
 
 TEST(Glb, ACutAtEveryLengthIsRefusedWithASentence) {
   const std::string whole = triangleGlb();
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_NE(refusal(whole.substr(0, size)).find("could not load the scene"), std::string::npos) << size;
+    EXPECT_NE(glbRefusal(whole.substr(0, size)).find("could not load the scene"), std::string::npos) << size;
   }
 }
 

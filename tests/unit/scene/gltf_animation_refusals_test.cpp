@@ -1,25 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
-#include <ostream>
 
 #include "gltf_test_file.h"
+#include "refusal.h"
 
 namespace ssrkit::test {
 namespace {
 
 using nlohmann::json;
-
-struct Refusal {
-  std::string name;
-  std::function<void(json&)> spoil;
-  std::string expected;  // part of the sentence, place included
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) {
-  *out << refusal.name;
-}
 
 class GltfAnimationRefusals : public testing::TestWithParam<Refusal> {};
 
@@ -44,7 +33,7 @@ void setTimes(json& root, const std::vector<float>& times) {
       addAccessor(root, bytesOf(times), kFloat, static_cast<int>(times.size()), "SCALAR");
 }
 
-const std::vector<Refusal> kRefusals{
+const std::vector<Refusal> kAnimationRefusals{
     {"MissingInput", [](json& r) { samplerOf(r).erase("input"); },
      "animations[0].samplers[0]: could not load the scene: 'input' is missing"},
     {"AccessorOutOfRange", [](json& r) { samplerOf(r)["output"] = 9; },
@@ -119,7 +108,7 @@ const std::vector<Refusal> kRefusals{
      "meshes[0].primitives[0]: could not load the scene: vertex 1 is not finite in the world"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, GltfAnimationRefusals, testing::ValuesIn(kRefusals),
+INSTANTIATE_TEST_SUITE_P(All, GltfAnimationRefusals, testing::ValuesIn(kAnimationRefusals),
                          [](const auto& row) { return row.param.name; });
 
 }  // namespace

@@ -10,10 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-json& primitiveOf(json& root) {
-  return root["meshes"][0]["primitives"][0];
-}
-
 // Unit square corners 0..3: (0,0) (1,0) (0,1) (1,1), as a strip covers it.
 const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
 

@@ -1,29 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
-#include <ostream>
 
 #include "gltf_test_file.h"
+#include "refusal.h"
 
 namespace ssrkit::test {
 namespace {
 
 using nlohmann::json;
-
-struct Refusal {
-  std::string name;
-  std::function<void(json&)> spoil;
-  std::string expected;  // part of the sentence, place included
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) {
-  *out << refusal.name;
-}
-
-json& primitiveOf(json& root) {
-  return root["meshes"][0]["primitives"][0];
-}
 
 class GltfRefusals : public testing::TestWithParam<Refusal> {};
 
@@ -37,7 +22,7 @@ TEST_P(GltfRefusals, NameThePlaceAndTheProblem) {
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 const float kInfinity = std::numeric_limits<float>::infinity();
 
-const std::vector<Refusal> kRefusals{
+const std::vector<Refusal> kFileRefusals{
     {"NoVersion", [](json& r) { r["asset"] = json::object(); },
      "asset: could not load the scene: 'version' is missing"},
     {"Version1", [](json& r) { r["asset"]["version"] = "1.0"; },
@@ -229,7 +214,7 @@ const std::vector<Refusal> kRefusals{
      "materials[0].extras.ssrkit_mirror: could not load the scene: the value is neither true nor false"},
 };
 
-INSTANTIATE_TEST_SUITE_P(EachKind, GltfRefusals, testing::ValuesIn(kRefusals),
+INSTANTIATE_TEST_SUITE_P(EachKind, GltfRefusals, testing::ValuesIn(kFileRefusals),
                          [](const auto& refusal) { return refusal.param.name; });
 
 // Images are looked at when a material uses them.

@@ -57,6 +57,10 @@ json triangleFile() {
   return root;
 }
 
+json& primitiveOf(json& root) {
+  return root["meshes"][0]["primitives"][0];
+}
+
 int addView(json& root, const std::vector<std::uint8_t>& bytes) {
   root["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", dataUri(bytes)}});
   root["bufferViews"].push_back(
@@ -78,7 +82,7 @@ int addAccessor(json& root, const std::vector<std::uint8_t>& bytes, int componen
 }
 
 void setPositions(json& root, const std::vector<float>& positions) {
-  json& primitive = root["meshes"][0]["primitives"][0];
+  json& primitive = primitiveOf(root);
   primitive.erase("indices");
   primitive["attributes"]["POSITION"] =
       addAccessor(root, bytesOf(positions), kFloat, static_cast<int>(positions.size() / 3), "VEC3");

@@ -39,6 +39,9 @@ std::vector<std::uint8_t> bytesOf(const std::vector<T>& values) {
 // material, camera or light. accessors[0] are the positions and accessors[1] the indices.
 [[nodiscard]] nlohmann::json triangleFile();
 
+// Its primitive: the first mesh's first.
+[[nodiscard]] nlohmann::json& primitiveOf(nlohmann::json& root);
+
 // Adds a buffer and a view of all of it; returns the view's index.
 int addView(nlohmann::json& root, const std::vector<std::uint8_t>& bytes);
 

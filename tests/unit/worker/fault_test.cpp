@@ -17,8 +17,6 @@ class Fault : public ::testing::Test {
   static void set(const char* fault) { ::setenv("SSRKIT_FAULT", fault, 1); }
 };
 
-}  // namespace
-
 TEST_F(Fault, ACrashStrikesTheNamedJobOnTheNamedDeviceAndNoOther) {
   set("crash:fake alive: read the");
   Worker worker = fakeWorker();
@@ -56,7 +54,7 @@ TEST_F(Fault, AFaultThatComesAfterSomethingWaitsForItInTheSameWorker) {
 }
 
 TEST_F(Fault, AFaultThatComesOnceLeavesItsFileAndLetsTheNextBe) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string file = (folder / "struck").string();
   set(("crash:fake alive: read the;once=" + file).c_str());
   Worker worker = fakeWorker();
@@ -90,5 +88,7 @@ TEST_F(Fault, AFaultOfAnUnknownKindIsAnErrorAndNotAnOmission) {
     EXPECT_EQ(info.error().attempted, "read SSRKIT_FAULT");
   }
 }
+
+}  // namespace
 
 }  // namespace ssrkit
