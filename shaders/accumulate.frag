@@ -49,8 +49,9 @@ float load_previous_dist_view(ivec2 texel) { return textureLod(previous_dist_vie
 
 #include "history_taps.glsl"
 
-// Premultiplied, so that what was hit and what was not can be averaged.
 float weight_of(vec4 colour) { return is_straight_alpha != 0 ? colour.a : 1.0; }
+
+// Premultiplied, so that what was hit and what was not can be averaged.
 vec4 premultiplied(vec4 colour) { return vec4(colour.rgb * weight_of(colour), colour.a); }
 vec4 straight(vec4 colour) {
   float weight = weight_of(colour);
