@@ -8,17 +8,18 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::array<const char*, 4> kNames = {"confirmed", "inconclusive", "refuted", "not measured"};
+constexpr std::array<const char*, 4> kClaimVerdictNames = {"confirmed", "inconclusive", "refuted",
+                                                           "not measured"};
 
 }  // namespace
 
 const char* name(ClaimVerdict verdict) {
-  return kNames.at(static_cast<std::size_t>(verdict));
+  return kClaimVerdictNames.at(static_cast<std::size_t>(verdict));
 }
 
 std::optional<ClaimVerdict> claimVerdictFromName(std::string_view verdict_name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (verdict_name == kNames.at(i)) {
+  for (std::size_t i = 0; i < kClaimVerdictNames.size(); ++i) {
+    if (verdict_name == kClaimVerdictNames.at(i)) {
       return static_cast<ClaimVerdict>(i);
     }
   }

@@ -2,6 +2,7 @@
 // complaint is kept and ends the reading, so that callers read all fields in a row and ask once.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,9 @@
 #include "check/toml_document.h"
 
 namespace ssrkit {
+
+// For FieldReader::number(): any finite number is within -kUnlimited and kUnlimited.
+inline constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 class FieldReader {
  public:

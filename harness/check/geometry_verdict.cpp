@@ -9,8 +9,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::array<const char*, kGeometryVerdictCount> kNames = {"NONE", "TRUE_HIT", "FALSE_HIT",
-                                                                   "MISSED_HIT", "TRUE_MISS"};
+constexpr std::array<const char*, kGeometryVerdictCount> kGeometryVerdictNames = {
+    "NONE", "TRUE_HIT", "FALSE_HIT", "MISSED_HIT", "TRUE_MISS"};
 
 // Whether the camera's image could hold the met surface: it is inside the frustum and faces the camera.
 bool canBeSeen(TrueClass true_class) {
@@ -41,13 +41,14 @@ GeometryVerdict verdictOf(const RayHit& ray, const TrueRay& truth, const PixelPr
 }  // namespace
 
 const char* name(GeometryVerdict verdict) {
-  return kNames.at(static_cast<std::size_t>(verdict));
+  return kGeometryVerdictNames.at(static_cast<std::size_t>(verdict));
 }
 
 std::optional<GeometryVerdict> geometryVerdictFromName(std::string_view verdict_name) {
-  const auto found = std::ranges::find(kNames, verdict_name);
-  return found == kNames.end() ? std::nullopt
-                               : std::optional(static_cast<GeometryVerdict>(found - kNames.begin()));
+  const auto found = std::ranges::find(kGeometryVerdictNames, verdict_name);
+  return found == kGeometryVerdictNames.end()
+             ? std::nullopt
+             : std::optional(static_cast<GeometryVerdict>(found - kGeometryVerdictNames.begin()));
 }
 
 std::vector<GeometryVerdict> compareWithGeometry(const RayRecord& record, const GeometryResult& geometry,

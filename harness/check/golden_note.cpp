@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kSchema = "ssrkit-golden";
-constexpr std::array<const char*, 16> kKeys = {
+constexpr std::array<const char*, 16> kGoldenNoteKeys = {
     "schema", "schema_version", "test", "scene",  "size",    "stage",    "case", "buffer", "key",
     "who",    "when",           "why",  "hashes", "metrics", "channels", "image"};
 
@@ -58,7 +58,7 @@ StoredGolden storedFrom(const Json& json) {
 // The first key that no sidecar has; "" when there is none.
 std::string unknownKey(const Json& json) {
   for (const auto& [key, value] : json.items()) {
-    if (std::ranges::find(kKeys, key) == kKeys.end()) {
+    if (std::ranges::find(kGoldenNoteKeys, key) == kGoldenNoteKeys.end()) {
       return key;
     }
   }

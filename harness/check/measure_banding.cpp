@@ -20,10 +20,6 @@ constexpr double kContinuousPx = 2.0;
 // From here on a break shows in a texture of single texels.
 constexpr double kVisiblePx = 1.0;
 
-glm::dvec2 hitPx(const RayHit& hit) {
-  return {hit.px_x, hit.px_y};
-}
-
 // By how much the step from one hit to its neighbour's differs from the true one; none where either misses,
 // the truth is a tie, or the true hits are apart.
 struct Neighbours {

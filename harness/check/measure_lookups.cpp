@@ -11,7 +11,7 @@ namespace ssrkit {
 namespace {
 
 // Of either kind, for the mean of one to be held against the other's.
-constexpr std::size_t kFewestRays = 100;
+constexpr std::size_t kFewestRaysOfAKind = 100;
 
 struct Lookups {
   std::vector<double> per_ray;
@@ -181,7 +181,7 @@ Measurement measureMissLookupRatio(const Subject& subject) {
   }
   Measurement measurement;
   measurement.compared = hits + misses;
-  if (std::min(hits, misses) < kFewestRays) {
+  if (std::min(hits, misses) < kFewestRaysOfAKind) {
     measurement.outcome = Outcome::kInconclusive;
   }
   measurement.value = miss_mean / hit_mean;

@@ -29,10 +29,6 @@ constexpr double kPointsPerPx = 2.0;
 constexpr double kFewestPoints = 4.0;
 constexpr double kMostPoints = 64.0;
 
-glm::dvec2 hitPx(const RayHit& hit) {
-  return {hit.px_x, hit.px_y};
-}
-
 double apartPx(const RayHit& a, const RayHit& b) {
   const double distance = glm::length(hitPx(a) - hitPx(b));
   return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;

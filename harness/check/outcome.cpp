@@ -10,7 +10,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::array<const char*, kOutcomeCount> kNames = {
+constexpr std::array<const char*, kOutcomeCount> kOutcomeNames = {
     "pass",    "warn",  "fail",    "error", "skip",  "crash",       "timeout",
     "limiter", "flake", "missing", "xfail", "xpass", "inconclusive"};
 
@@ -21,15 +21,15 @@ std::size_t count(std::span<const Outcome> outcomes, Outcome wanted) {
 }  // namespace
 
 const char* name(Outcome outcome) {
-  return kNames.at(static_cast<std::size_t>(outcome));
+  return kOutcomeNames.at(static_cast<std::size_t>(outcome));
 }
 
 std::optional<Outcome> outcomeFromName(std::string_view outcome_name) {
-  const auto found = std::ranges::find(kNames, outcome_name);
-  if (found == kNames.end()) {
+  const auto found = std::ranges::find(kOutcomeNames, outcome_name);
+  if (found == kOutcomeNames.end()) {
     return std::nullopt;
   }
-  return static_cast<Outcome>(found - kNames.begin());
+  return static_cast<Outcome>(found - kOutcomeNames.begin());
 }
 
 bool isFailure(Outcome outcome) {

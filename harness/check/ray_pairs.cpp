@@ -62,6 +62,10 @@ ExpectedRecord expectedRecord(const Subject& subject, const Truth& truth) {
 
 }  // namespace
 
+glm::dvec2 hitPx(const RayHit& hit) {
+  return {hit.px_x, hit.px_y};
+}
+
 bool sameAnswer(const RayHit& a, const RayHit& b) {
   return a.ray_class == b.ray_class && a.texel_x == b.texel_x && a.texel_y == b.texel_y;
 }

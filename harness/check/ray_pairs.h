@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct RayPairs {
 
 // The subject's record beside the truth's: the oracle's or another answer's.
 [[nodiscard]] RayPairs pairRays(const Subject& subject, const Truth& truth);
+
+[[nodiscard]] glm::dvec2 hitPx(const RayHit& hit);
 
 // Same outcome class and same hit texel.
 [[nodiscard]] bool sameAnswer(const RayHit& a, const RayHit& b);

@@ -15,9 +15,9 @@ namespace ssrkit {
 namespace {
 
 constexpr const char* kSection = "expected_failure";
-const std::vector<std::string> kTopKeys = {kSection};
-const std::vector<std::string> kKeys = {"id",     "device",  "scene",  "stage",   "case", "size",
-                                        "driver", "outcome", "reason", "expires", "bug"};
+const std::vector<std::string> kBaselineFileKeys = {kSection};
+const std::vector<std::string> kExpectedFailureKeys = {
+    "id", "device", "scene", "stage", "case", "size", "driver", "outcome", "reason", "expires", "bug"};
 
 std::optional<unsigned> digits(std::string_view text) {
   unsigned value = 0;
@@ -57,7 +57,7 @@ std::vector<Outcome> readOutcomes(FieldReader& fields) {
 Expected<KnownFailure> readEntry(const TomlValue& table, const std::string& file, const KnownNames& known,
                                  const std::string& attempted) {
   FieldReader fields(table, "[[expected_failure]]", file, attempted);
-  fields.allowOnly(kKeys);
+  fields.allowOnly(kExpectedFailureKeys);
   KnownFailure entry;
   entry.id = fields.text("id");
   entry.device = fields.text("device");
@@ -94,7 +94,7 @@ Expected<std::vector<KnownFailure>> readBaseline(std::string_view content, const
     return tl::make_unexpected(document.error());
   }
   FieldReader top(*document, "the file", file, attempted);
-  top.allowOnly(kTopKeys);
+  top.allowOnly(kBaselineFileKeys);
   const TomlEntry* const sections = document->find(kSection);
   if (sections != nullptr && sections->value.kind != TomlValue::Kind::kArray) {
     top.complain(kSection, fmt::format("'{}' must be sections", kSection),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "base/atomic_file.h"
 #include "check/field_reader.h"
@@ -12,7 +11,6 @@ namespace ssrkit {
 
 namespace {
 
-constexpr double kUnlimited = std::numeric_limits<double>::max();
 const std::vector<std::string> kClaimKeys = {"source", "says", "finding", "if_confirmed", "if_refuted"};
 const ReadRules kRules = {
     .top_keys = {"claim"}, .expect_keys = {"refuted_above", "refuted_below"}, .needs_bounds = false};

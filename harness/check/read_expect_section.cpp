@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "base/size.h"
 #include "base/text.h"
@@ -14,8 +13,6 @@
 namespace ssrkit {
 
 namespace {
-
-constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 struct TruthWord {
   TruthKind kind;

@@ -16,7 +16,7 @@ namespace ssrkit {
 
 namespace {
 
-const std::vector<std::string> kTopKeys = {"test", "case", "expect"};
+const std::vector<std::string> kTestFileKeys = {"test", "case", "expect"};
 const std::vector<std::string> kTestKeys = {"id",      "about",  "scenes", "camera",     "sizes",
                                             "devices", "stages", "tags",   "input",      "rounds",
                                             "frame",   "frames", "time_s", "time_step_s"};
@@ -145,7 +145,7 @@ Expected<TestFile> readExpectations(const TomlValue& document, const std::string
   TestFile test;
   test.file = file;
   FieldReader top(document, "the file", file, attempted);
-  std::vector<std::string> keys = kTopKeys;
+  std::vector<std::string> keys = kTestFileKeys;
   keys.insert(keys.end(), rules.top_keys.begin(), rules.top_keys.end());
   top.allowOnly(keys);
   const TomlEntry* section = document.find("test");

@@ -15,7 +15,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::size_t kFewestRays = 4;
+constexpr std::size_t kFewestWrongRays = 4;
 constexpr double kMostOf = 0.9;
 
 template <class Predicate>
@@ -25,7 +25,7 @@ std::size_t countIf(std::span<const RayPair> rays, Predicate predicate) {
 
 template <class Predicate>
 bool mostOf(std::span<const RayPair> rays, Predicate predicate) {
-  return rays.size() >= kFewestRays &&
+  return rays.size() >= kFewestWrongRays &&
          static_cast<double>(countIf(rays, predicate)) >= kMostOf * static_cast<double>(rays.size());
 }
 
@@ -93,7 +93,7 @@ bool isOffByOneTexel(const SignatureInput& input) {
       ++offsets[{pair.yours->texel_x - pair.expected->texel_x, pair.yours->texel_y - pair.expected->texel_y}];
     }
   }
-  return input.wrong.size() >= kFewestRays && std::ranges::any_of(offsets, [&](const auto& entry) {
+  return input.wrong.size() >= kFewestWrongRays && std::ranges::any_of(offsets, [&](const auto& entry) {
            const auto& [offset, count] = entry;
            return offset != std::pair(0, 0) && std::abs(offset.first) <= 1 && std::abs(offset.second) <= 1 &&
                   static_cast<double>(count) >= kMostOf * static_cast<double>(input.wrong.size());

@@ -10,8 +10,8 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::array<const char*, kVerdictCount> kNames = {"NONE",      "SAME",       "NEAR", "WRONG",
-                                                           "FALSE_HIT", "MISSED_HIT", "LEAK", "AMBIGUOUS"};
+constexpr std::array<const char*, kVerdictCount> kVerdictNames = {
+    "NONE", "SAME", "NEAR", "WRONG", "FALSE_HIT", "MISSED_HIT", "LEAK", "AMBIGUOUS"};
 
 // Everything that can be said without the ray's path.
 Verdict compareAnswers(const RayHit& yours, const RayHit& oracle, Ambiguity ambiguity) {
@@ -41,15 +41,15 @@ Verdict compareAnswers(const RayHit& yours, const RayHit& oracle, Ambiguity ambi
 }  // namespace
 
 const char* name(Verdict verdict) {
-  return kNames.at(static_cast<std::size_t>(verdict));
+  return kVerdictNames.at(static_cast<std::size_t>(verdict));
 }
 
 std::optional<Verdict> verdictFromName(std::string_view verdict_name) {
-  const auto found = std::ranges::find(kNames, verdict_name);
-  if (found == kNames.end()) {
+  const auto found = std::ranges::find(kVerdictNames, verdict_name);
+  if (found == kVerdictNames.end()) {
     return std::nullopt;
   }
-  return static_cast<Verdict>(found - kNames.begin());
+  return static_cast<Verdict>(found - kVerdictNames.begin());
 }
 
 std::vector<Verdict> compareWithOracle(const RayRecord& record, const OracleResult& oracle,

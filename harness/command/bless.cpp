@@ -26,7 +26,7 @@ namespace ssrkit {
 
 namespace {
 
-const std::string kAttempted = "bless goldens";
+const std::string kAttemptedBless = "bless goldens";
 
 bool isGolden(const Expectation& expectation) {
   return expectation.truth.kind == TruthKind::kGolden;
@@ -36,16 +36,16 @@ bool isGolden(const Expectation& expectation) {
 Expected<std::string> blesser(const BlessOptions& options, const KitPaths& paths) {
   const char* const ci = std::getenv("CI");
   if (ci != nullptr && *ci != '\0') {
-    return inputError(kAttempted, "CI is set, and goldens are blessed by people", "CI",
+    return inputError(kAttemptedBless, "CI is set, and goldens are blessed by people", "CI",
                       "bless on your own machine, and commit what it writes");
   }
   if (options.why.find_first_not_of(" \t\n") == std::string::npos) {
-    return inputError(kAttempted, "there is no reason", "--why", "say why what is drawn now is right");
+    return inputError(kAttemptedBless, "there is no reason", "--why", "say why what is drawn now is right");
   }
   const auto changed = changedFiles(paths.root, {"shaders", "scenes"});
   if (changed && !changed->empty()) {
     return inputError(
-        kAttempted,
+        kAttemptedBless,
         fmt::format("{} is not committed{}, so that nobody could make these goldens again", changed->front(),
                     changed->size() > 1 ? fmt::format(", nor are {} more", changed->size() - 1) : ""),
         paths.root.string(), "commit shaders and scenes first");
@@ -55,7 +55,7 @@ Expected<std::string> blesser(const BlessOptions& options, const KitPaths& paths
   }
   const auto identity = gitIdentity(paths.root);
   return identity ? Expected<std::string>(*identity)
-                  : inputError(kAttempted, "git knows no name of yours", "--who", "add --who NAME");
+                  : inputError(kAttemptedBless, "git knows no name of yours", "--who", "add --who NAME");
 }
 
 Expected<TestFile> testWithGoldens(const BlessOptions& options, const KitPaths& paths) {
@@ -71,7 +71,7 @@ Expected<TestFile> testWithGoldens(const BlessOptions& options, const KitPaths& 
   }
   const auto found = std::ranges::find(*tests, options.test, &TestFile::id);
   if (found == tests->end() || std::ranges::find(ids, options.test) == ids.end()) {
-    return inputError(kAttempted, fmt::format("no test '{}' expects a golden", options.test), "",
+    return inputError(kAttemptedBless, fmt::format("no test '{}' expects a golden", options.test), "",
                       ids.empty() ? "add truth = \"golden\" to an expectation file"
                                   : "those that do are " + joinNames(ids));
   }
@@ -84,7 +84,7 @@ Expected<TestFile> testWithGoldens(const BlessOptions& options, const KitPaths& 
   if (!options.scenes.empty()) {
     for (const std::string& scene : options.scenes) {
       if (test.scenes.front() != "all" && std::ranges::find(test.scenes, scene) == test.scenes.end()) {
-        return inputError(kAttempted, fmt::format("the test has no scene '{}'", scene), test.file,
+        return inputError(kAttemptedBless, fmt::format("the test has no scene '{}'", scene), test.file,
                           "its scenes are " + joinNames(test.scenes));
       }
     }
@@ -105,7 +105,7 @@ Expected<void> requireProved(const TestFile& test, const SceneRun& run, bool jso
       if (!json) {
         printCheck(check);
       }
-      return inputError(kAttempted,
+      return inputError(kAttemptedBless,
                         fmt::format("'{}' fails, so that what is drawn is wrong", fullName(check)), test.file,
                         "mend it first");
     }

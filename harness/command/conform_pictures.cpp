@@ -13,7 +13,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr int kWidth = 640;  // dots, at least half of them
+constexpr int kPictureWidthDots = 640;  // dots, at least half of them
 
 const Answer* find(const SceneRun& run, const CheckResult& check, const std::string& device,
                    const std::string& input) {
@@ -69,7 +69,7 @@ ByteImage differencePicture(const Image& image, const Image& truth) {
 }
 
 ByteImage enlarged(const ByteImage& picture) {
-  const int grow = std::max(1, kWidth / picture.size.width);
+  const int grow = std::max(1, kPictureWidthDots / picture.size.width);
   ByteImage large({picture.size.width * grow, picture.size.height * grow}, 3);
   paste(large, 0, 0, picture, grow);
   return large;

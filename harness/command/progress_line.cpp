@@ -9,7 +9,7 @@ namespace ssrkit {
 
 namespace {
 
-constexpr std::size_t kWidth = 79;  // a longer line would wrap and could not be cleared
+constexpr std::size_t kMostColumns = 79;  // a longer line would wrap and could not be cleared
 
 }  // namespace
 
@@ -21,7 +21,7 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const std::string& text) {
   if (is_terminal_) {
-    fmt::print(stderr, "\r\033[K{}", text.substr(0, kWidth));
+    fmt::print(stderr, "\r\033[K{}", text.substr(0, kMostColumns));
     std::fflush(stderr);
     is_shown_ = true;
   }

@@ -15,7 +15,7 @@ namespace ssrkit {
 
 namespace {
 
-const std::string kAttempted = "run the unit tests";
+const std::string kAttemptedTests = "run the unit tests";
 
 // CTest filters by regular expression: everything but * stands for itself.
 std::string regexOf(const std::string& filter) {
@@ -52,7 +52,7 @@ Expected<std::size_t> attribute(const std::string& junit, const std::string& nam
   const std::size_t at = attributes.find(key);
   std::size_t number = 0;
   if (at == std::string::npos) {
-    return setupError(kAttempted, fmt::format("CTest's report has no '{}'", name));
+    return setupError(kAttemptedTests, fmt::format("CTest's report has no '{}'", name));
   }
   std::from_chars(attributes.data() + at + key.size(), attributes.data() + attributes.size(), number);
   return number;
@@ -89,7 +89,7 @@ Expected<UnitTestCounts> runUnitTests(const std::filesystem::path& build, const 
   // CTest may fail for reasons that no test stands for: a test program that cannot be started, a set-up that
   // failed.
   if (*code != 0 && counts.failed == 0 && *tests > 0) {
-    return setupError(kAttempted, fmt::format("ctest ended with {} though no test failed", *code));
+    return setupError(kAttemptedTests, fmt::format("ctest ended with {} though no test failed", *code));
   }
   return counts;
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/atomic_file.h"
+#include "environment/pi.h"
 #include "image/exr.h"
 #include "image/exr_header.h"
 
@@ -14,7 +14,6 @@ namespace ssrkit {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kLargestHalf = 65504.0F;
 
 tl::unexpected<Error> refuse(const std::filesystem::path& file, std::string problem, std::string remedy) {

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/check.h"
 #include "base/share_out.h"
 #include "environment/low_discrepancy.h"
+#include "environment/pi.h"
 
 namespace ssrkit {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kCoarsestInner = 4;
 
 // Every texel inside the border, a row a piece of work.

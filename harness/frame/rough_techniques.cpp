@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "frame/point_set.h"
 #include "frame/shared_passes.h"
 
 namespace ssrkit {
 
 namespace {
-
-// point_set of shaders/include/random.glsl
-constexpr int kWhitePoints = 0;
-constexpr int kBlueHammersley = 2;
 
 // One sampled microfacet a ray, weighed by the microfacet model.
 Technique ggx(const std::string& name, int sample_count, int point_set) {

@@ -1,5 +1,6 @@
 #include "frame/temporal_techniques.h"
 
+#include "frame/point_set.h"
 #include "frame/shared_passes.h"
 
 namespace ssrkit {
@@ -8,7 +9,6 @@ namespace {
 
 constexpr double kDisocclusion =
     0.02;  // of the distance: a surface farther off its predicted plane is another one
-constexpr int kBlueHammersley = 2;  // point_set of shaders/include/random.glsl
 
 FramePass accumulate(int is_straight_alpha, double max_history_length) {
   return {.name = "accumulate",

@@ -15,7 +15,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF's binary parts are little-endian");
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
@@ -81,7 +80,7 @@ Expected<GltfContainer> takeApartGlb(const GltfSource& source, std::string_view 
 }  // namespace
 
 Expected<GltfContainer> readGltfContainer(const GltfSource& source) {
-  Expected<std::string> bytes = readFile(source.file, kMaxFileBytes);
+  Expected<std::string> bytes = readFile(source.file, kMaxGltfFileBytes);
   if (!bytes) {
     return source.refuse("", bytes.error().problem, bytes.error().remedy);
   }

@@ -1,12 +1,16 @@
-// The file that is being loaded, for messages.
+// The file that is being loaded, for messages, and how large it may be.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 #include "base/error.h"
 
 namespace ssrkit {
+
+// Of a model, and of each file that it names.
+inline constexpr std::size_t kMaxGltfFileBytes = std::size_t{1} << 30;
 
 struct GltfSource {
   std::filesystem::path file;

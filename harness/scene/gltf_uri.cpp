@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
-
 // 0..63 for a character of the base64 alphabets (the plain and the URL one), -1 for any other.
 int base64Digit(char c) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -141,7 +139,7 @@ Expected<std::vector<std::uint8_t>> readGltfUri(const GltfSource& source, const 
   if (!file) {
     return tl::make_unexpected(file.error());
   }
-  const Expected<std::string> content = readFile(*file, kMaxFileBytes);
+  const Expected<std::string> content = readFile(*file, kMaxGltfFileBytes);
   if (!content) {
     return source.refuse(place,
                          fmt::format("'{}': {}", cleanName(percentDecoded(uri)), content.error().problem),

@@ -12,8 +12,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr const char* kAttempted = "open OpenGL on EGL";
-constexpr const char* kInstall = "install Debian's packages libegl1 and libgl1-mesa-dri";
+constexpr const char* kAttemptedEglContext = "open OpenGL on EGL";
 constexpr const char* kInstallGpu =
     "install the GPU's driver (Debian's libgl1-mesa-dri has those of AMD and Intel)";
 
@@ -58,7 +57,7 @@ Expected<EGLDisplay> gpuDisplay(const EglLibrary& egl) {
   EGLint count = 0;
   if (egl.query_devices == nullptr || egl.query_device_string == nullptr ||
       egl.query_devices(kMostDevices, devices.data(), &count) != EGL_TRUE) {
-    return setupError(kAttempted, "EGL cannot list its devices", {}, kInstallGpu);
+    return setupError(kAttemptedEglContext, "EGL cannot list its devices", {}, kInstallGpu);
   }
   for (EGLint i = 0; i < count; ++i) {
     EGLDeviceEXT const device = devices[static_cast<std::size_t>(i)];
@@ -66,7 +65,8 @@ Expected<EGLDisplay> gpuDisplay(const EglLibrary& egl) {
       return egl.platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
     }
   }
-  return setupError(kAttempted, fmt::format("none of EGL's {} devices is a GPU", count), {}, kInstallGpu);
+  return setupError(kAttemptedEglContext, fmt::format("none of EGL's {} devices is a GPU", count), {},
+                    kInstallGpu);
 }
 
 Expected<EGLDisplay> openDisplay(const EglLibrary& egl, EglDisplayKind kind) {
@@ -78,9 +78,9 @@ Expected<EGLDisplay> openDisplay(const EglLibrary& egl, EglDisplayKind kind) {
     return display;
   }
   if (*display == EGL_NO_DISPLAY || egl.initialize(*display, nullptr, nullptr) != EGL_TRUE) {
-    return setupError(kAttempted,
+    return setupError(kAttemptedEglContext,
                       fmt::format("the display cannot be opened (error 0x{:x})", egl.last_error()), {},
-                      kind == EglDisplayKind::kGpu ? kInstallGpu : kInstall);
+                      kind == EglDisplayKind::kGpu ? kInstallGpu : kInstallEgl);
   }
   return display;
 }
@@ -107,10 +107,10 @@ Expected<std::unique_ptr<GlContext>> createEglContext(EglDisplayKind kind, GlVer
   EGLContext const context =
       egl->create_context(*display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
   if (context == EGL_NO_CONTEXT) {
-    return setupError(kAttempted,
+    return setupError(kAttemptedEglContext,
                       fmt::format("the driver refused an OpenGL {}.{} core context (error 0x{:x})",
                                   version.major, version.minor, egl->last_error()),
-                      {}, kInstall);
+                      {}, kInstallEgl);
   }
   auto result = std::make_unique<EglContext>(*egl, *display, context);
   result->makeCurrent();

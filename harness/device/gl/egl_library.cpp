@@ -2,37 +2,34 @@
 
 #include <dlfcn.h>
 
+#include "device/gl/find_function.h"
+
 namespace ssrkit {
 namespace {
 
-constexpr const char* kLibrary = "libEGL.so.1";
-constexpr const char* kAttempted = "open EGL";
-constexpr const char* kInstall = "install Debian's packages libegl1 and libgl1-mesa-dri";
-
-template <class Function>
-bool find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  return function != nullptr;
-}
+constexpr const char* kEglFile = "libEGL.so.1";
+constexpr const char* kAttemptedEgl = "open EGL";
 
 }  // namespace
 
 Expected<EglLibrary> loadEgl() {
-  void* const library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  void* const library = dlopen(kEglFile, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const reason = dlerror();
-    return setupError(kAttempted, reason != nullptr ? reason : "it cannot be loaded", kLibrary, kInstall);
+    return setupError(kAttemptedEgl, reason != nullptr ? reason : "it cannot be loaded", kEglFile,
+                      kInstallEgl);
   }
   EglLibrary egl;
-  if (!find(library, "eglInitialize", egl.initialize) || !find(library, "eglBindAPI", egl.bind_api) ||
-      !find(library, "eglCreateContext", egl.create_context) ||
-      !find(library, "eglDestroyContext", egl.destroy_context) ||
-      !find(library, "eglMakeCurrent", egl.make_current) ||
-      !find(library, "eglGetCurrentContext", egl.current_context) ||
-      !find(library, "eglGetError", egl.last_error) ||
-      !find(library, "eglGetPlatformDisplay", egl.platform_display) ||
-      !find(library, "eglGetProcAddress", egl.procedure)) {
-    return setupError(kAttempted, "the library is older than EGL 1.5", kLibrary, kInstall);
+  if (!findFunction(library, "eglInitialize", egl.initialize) ||
+      !findFunction(library, "eglBindAPI", egl.bind_api) ||
+      !findFunction(library, "eglCreateContext", egl.create_context) ||
+      !findFunction(library, "eglDestroyContext", egl.destroy_context) ||
+      !findFunction(library, "eglMakeCurrent", egl.make_current) ||
+      !findFunction(library, "eglGetCurrentContext", egl.current_context) ||
+      !findFunction(library, "eglGetError", egl.last_error) ||
+      !findFunction(library, "eglGetPlatformDisplay", egl.platform_display) ||
+      !findFunction(library, "eglGetProcAddress", egl.procedure)) {
+    return setupError(kAttemptedEgl, "the library is older than EGL 1.5", kEglFile, kInstallEgl);
   }
   egl.query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.procedure("eglQueryDevicesEXT"));
   egl.query_device_string =

@@ -8,6 +8,8 @@
 
 namespace ssrkit {
 
+inline constexpr const char* kInstallEgl = "install Debian's packages libegl1 and libgl1-mesa-dri";
+
 struct EglLibrary {
   decltype(&eglInitialize) initialize = nullptr;
   decltype(&eglBindAPI) bind_api = nullptr;

@@ -8,7 +8,7 @@
 namespace ssrkit {
 namespace {
 
-constexpr const char* kAttempted = "start OpenGL";
+constexpr const char* kAttemptedStart = "start OpenGL";
 
 GLADapiproc findProcedure(void* context, const char* name) {
   return static_cast<const GlContext*>(context)->procedure(name);
@@ -49,14 +49,14 @@ Expected<std::shared_ptr<GlSession>> GlSession::create(std::unique_ptr<GlContext
 Expected<void> GlSession::checkAbilities(GlVersion offered) const {
   const GlVersion needed = infoOf(shader_input_).version;
   if (std::pair(offered.major, offered.minor) < std::pair(needed.major, needed.minor)) {
-    return setupError(kAttempted,
+    return setupError(kAttemptedStart,
                       fmt::format("the driver offers OpenGL {}.{} and the kit needs {}.{}", offered.major,
                                   offered.minor, needed.major, needed.minor),
                       {}, "install Mesa 22.3 or newer");
   }
   // Found by its name: the list of binary formats is empty on Mesa although SPIR-V is taken.
   if (shader_input_ == GlShaderInput::kSpirv && gl_.ARB_gl_spirv == 0) {
-    return setupError(kAttempted, "the driver lacks GL_ARB_gl_spirv", text(GL_RENDERER),
+    return setupError(kAttemptedStart, "the driver lacks GL_ARB_gl_spirv", text(GL_RENDERER),
                       "use the llvmpipe driver");
   }
   if (std::pair(offered.major, offered.minor) >= std::pair(4, 5)) {
@@ -64,8 +64,8 @@ Expected<void> GlSession::checkAbilities(GlVersion offered) const {
   }
   for (const Ability& ability : abilitiesOf(gl_)) {
     if (ability.present == 0) {
-      return setupError(kAttempted, fmt::format("the driver lacks {}", ability.extension), text(GL_RENDERER),
-                        "install Mesa 22.3 or newer");
+      return setupError(kAttemptedStart, fmt::format("the driver lacks {}", ability.extension),
+                        text(GL_RENDERER), "install Mesa 22.3 or newer");
     }
   }
   return {};

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/check.h"
+#include "device/gl/find_function.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Kept for ever: by OSMesa a buffer of every context, by lavapipe and the validation layer things of each
@@ -23,9 +24,9 @@ __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier): the sa
 namespace ssrkit {
 namespace {
 
-constexpr const char* kLibrary = "libOSMesa.so.8";
-constexpr const char* kAttempted = "open the OSMesa software renderer";
-constexpr const char* kInstall = "install Debian's package libosmesa6";
+constexpr const char* kOsmesaFile = "libOSMesa.so.8";
+constexpr const char* kAttemptedOsmesa = "open the OSMesa software renderer";
+constexpr const char* kInstallOsmesa = "install Debian's package libosmesa6";
 
 struct OsmesaLibrary {
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
@@ -35,26 +36,22 @@ struct OsmesaLibrary {
   decltype(&OSMesaGetProcAddress) procedure = nullptr;
 };
 
-template <class Function>
-bool find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  return function != nullptr;
-}
-
 // Never closed: Mesa and LLVM leave threads and exit handlers behind that need their code.
 Expected<OsmesaLibrary> loadOsmesa() {
-  void* const library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  void* const library = dlopen(kOsmesaFile, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const reason = dlerror();
-    return setupError(kAttempted, reason != nullptr ? reason : "it cannot be loaded", kLibrary, kInstall);
+    return setupError(kAttemptedOsmesa, reason != nullptr ? reason : "it cannot be loaded", kOsmesaFile,
+                      kInstallOsmesa);
   }
   OsmesaLibrary osmesa;
-  if (!find(library, "OSMesaCreateContextAttribs", osmesa.create_context) ||
-      !find(library, "OSMesaDestroyContext", osmesa.destroy_context) ||
-      !find(library, "OSMesaMakeCurrent", osmesa.make_current) ||
-      !find(library, "OSMesaGetCurrentContext", osmesa.current_context) ||
-      !find(library, "OSMesaGetProcAddress", osmesa.procedure)) {
-    return setupError(kAttempted, "the library is too old for OpenGL 4.5 core", kLibrary, kInstall);
+  if (!findFunction(library, "OSMesaCreateContextAttribs", osmesa.create_context) ||
+      !findFunction(library, "OSMesaDestroyContext", osmesa.destroy_context) ||
+      !findFunction(library, "OSMesaMakeCurrent", osmesa.make_current) ||
+      !findFunction(library, "OSMesaGetCurrentContext", osmesa.current_context) ||
+      !findFunction(library, "OSMesaGetProcAddress", osmesa.procedure)) {
+    return setupError(kAttemptedOsmesa, "the library is too old for OpenGL 4.5 core", kOsmesaFile,
+                      kInstallOsmesa);
   }
   return osmesa;
 }
@@ -92,7 +89,7 @@ Expected<std::unique_ptr<GlContext>> createOsmesaContext(GlVersion version) {
   // OSMesa 22.3 follows a null pointer when this variable names a driver that it does not have.
   const char* const driver = std::getenv("GALLIUM_DRIVER");
   if (driver != nullptr && std::string_view(driver) != "llvmpipe" && std::string_view(driver) != "softpipe") {
-    return setupError(kAttempted,
+    return setupError(kAttemptedOsmesa,
                       std::string("GALLIUM_DRIVER is '") + driver + "', which OSMesa does not have", {},
                       "unset it or set it to llvmpipe");
   }
@@ -113,9 +110,9 @@ Expected<std::unique_ptr<GlContext>> createOsmesaContext(GlVersion version) {
                                        0};
   OSMesaContext context = library->create_context(attributes.data(), nullptr);
   if (context == nullptr) {
-    return setupError(kAttempted,
+    return setupError(kAttemptedOsmesa,
                       fmt::format("it refused an OpenGL {}.{} core context", version.major, version.minor),
-                      kLibrary, "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
+                      kOsmesaFile, "set GALLIUM_DRIVER=llvmpipe, or install Mesa 22.3 or newer");
   }
   auto result = std::make_unique<OsmesaContext>(*library, context);
   result->makeCurrent();

@@ -12,7 +12,7 @@ namespace ssrkit::vulkan {
 
 namespace {
 
-constexpr std::string_view kAttempted = "prepare the Vulkan command buffer";
+constexpr std::string_view kAttemptedCommandBuffer = "prepare the Vulkan command buffer";
 
 }  // namespace
 
@@ -35,14 +35,14 @@ Expected<void> Commands::createPool() {
   pool_info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
   pool_info.queueFamilyIndex = gpu_->physical().queue_family;
   auto pool = makeHandle(gpu_->get(), "vkCreateCommandPool", functions.vkCreateCommandPool,
-                         functions.vkDestroyCommandPool, pool_info, kAttempted);
+                         functions.vkDestroyCommandPool, pool_info, kAttemptedCommandBuffer);
   if (!pool) {
     return passOn(pool);
   }
   VkFenceCreateInfo fence_info{};
   fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   auto fence = makeHandle(gpu_->get(), "vkCreateFence", functions.vkCreateFence, functions.vkDestroyFence,
-                          fence_info, kAttempted);
+                          fence_info, kAttemptedCommandBuffer);
   if (!fence) {
     return passOn(fence);
   }
@@ -55,7 +55,7 @@ Expected<void> Commands::createPool() {
   info.commandBufferCount = 1;
   const VkResult result = functions.vkAllocateCommandBuffers(gpu_->get(), &info, &commands_);
   if (result != VK_SUCCESS) {
-    return resultError(std::string(kAttempted), "vkAllocateCommandBuffers", result);
+    return resultError(std::string(kAttemptedCommandBuffer), "vkAllocateCommandBuffers", result);
   }
   return {};
 }
@@ -69,7 +69,7 @@ Expected<void> Commands::createTimer() {
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = 2;
   auto timer = makeHandle(gpu_->get(), "vkCreateQueryPool", gpu_->functions().vkCreateQueryPool,
-                          gpu_->functions().vkDestroyQueryPool, info, kAttempted);
+                          gpu_->functions().vkDestroyQueryPool, info, kAttemptedCommandBuffer);
   if (!timer) {
     return passOn(timer);
   }

@@ -15,7 +15,7 @@ namespace ssrkit::vulkan {
 
 namespace {
 
-constexpr std::string_view kAttempted = "bind the images of a pass";
+constexpr std::string_view kAttemptedBinding = "bind the images of a pass";
 
 const SampledImage* findBinding(std::span<const SampledImage> sampled, std::uint32_t binding) {
   const auto found = std::ranges::find(sampled, binding, &SampledImage::binding);
@@ -32,10 +32,10 @@ VkWriteDescriptorSet emptyWrite(VkDescriptorSet set, std::uint32_t binding, VkDe
   return write;
 }
 
-Expected<VkDescriptorImageInfo> imageInfo(const SampledImage& sampled, Samplers& samplers) {
+Expected<VkDescriptorImageInfo> sampledImageInfo(const SampledImage& sampled, Samplers& samplers) {
   const auto& image = static_cast<const VulkanImage&>(*sampled.image);
   if (sampled.filter == Filter::kLinear && !image.canFilterLinearly()) {
-    return setupError(std::string(kAttempted),
+    return setupError(std::string(kAttemptedBinding),
                       fmt::format("the device cannot filter '{}' linearly in its format", image.desc().name));
   }
   const auto sampler = samplers.get(sampled);
@@ -125,8 +125,9 @@ Expected<void> Descriptors::growPool(std::uint32_t set_count, const ProgramLayou
   if (pool_.get() != VK_NULL_HANDLE && set_count <= set_capacity_ && images <= image_capacity_ &&
       uniforms <= uniform_capacity_) {
     const VkResult result = gpu_->functions().vkResetDescriptorPool(gpu_->get(), pool_.get(), 0);
-    return result == VK_SUCCESS ? Expected<void>{}
-                                : resultError(std::string(kAttempted), "vkResetDescriptorPool", result);
+    return result == VK_SUCCESS
+               ? Expected<void>{}
+               : resultError(std::string(kAttemptedBinding), "vkResetDescriptorPool", result);
   }
   set_capacity_ = std::max(set_count, set_capacity_);
   image_capacity_ = std::max({images, image_capacity_, 16U});
@@ -139,7 +140,7 @@ Expected<void> Descriptors::growPool(std::uint32_t set_count, const ProgramLayou
   info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   info.pPoolSizes = sizes.data();
   auto pool = makeHandle(gpu_->get(), "vkCreateDescriptorPool", gpu_->functions().vkCreateDescriptorPool,
-                         gpu_->functions().vkDestroyDescriptorPool, info, kAttempted);
+                         gpu_->functions().vkDestroyDescriptorPool, info, kAttemptedBinding);
   if (!pool) {
     return passOn(pool);
   }
@@ -158,7 +159,7 @@ Expected<std::vector<VkDescriptorSet>> Descriptors::allocate(std::uint32_t set_c
   info.pSetLayouts = layouts.data();
   const VkResult result = gpu_->functions().vkAllocateDescriptorSets(gpu_->get(), &info, sets.data());
   if (result != VK_SUCCESS) {
-    return resultError(std::string(kAttempted), "vkAllocateDescriptorSets", result);
+    return resultError(std::string(kAttemptedBinding), "vkAllocateDescriptorSets", result);
   }
   return sets;
 }
@@ -169,7 +170,7 @@ Expected<void> Descriptors::write(VkDescriptorSet set, const PassDesc& pass, con
   images.reserve(layout.sampler_bindings.size());  // the writes point into it
   std::vector<VkWriteDescriptorSet> writes;
   for (const std::uint32_t binding : layout.sampler_bindings) {
-    auto info = imageInfo(*sampledAt(pass, draw, binding), samplers_);
+    auto info = sampledImageInfo(*sampledAt(pass, draw, binding), samplers_);
     if (!info) {
       return passOn(info);
     }

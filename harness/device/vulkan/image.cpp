@@ -20,7 +20,7 @@ VkImageUsageFlags usageOf(Format format) {
                                   : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
 }
 
-VkImageCreateInfo imageInfo(const ImageDesc& desc) {
+VkImageCreateInfo imageCreateInfo(const ImageDesc& desc) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
   info.imageType = VK_IMAGE_TYPE_2D;
@@ -38,7 +38,7 @@ VkImageCreateInfo imageInfo(const ImageDesc& desc) {
 
 // Asked before the image is made: a driver that is asked for too much may crash instead of refusing.
 Expected<void> checkSupport(const Gpu& gpu, const ImageDesc& desc, const std::string& attempted) {
-  const VkImageCreateInfo info = imageInfo(desc);
+  const VkImageCreateInfo info = imageCreateInfo(desc);
   VkImageFormatProperties limits;
   const VkResult result = gpu.instance().functions().vkGetPhysicalDeviceImageFormatProperties(
       gpu.physical().handle, info.format, info.imageType, info.tiling, info.usage, info.flags, &limits);
@@ -117,7 +117,7 @@ Expected<std::unique_ptr<VulkanImage>> VulkanImage::create(const std::shared_ptr
 Expected<void> VulkanImage::createImage(const std::string& attempted) {
   const DeviceFunctions& functions = gpu_->functions();
   auto image = makeHandle(gpu_->get(), "vkCreateImage", functions.vkCreateImage, functions.vkDestroyImage,
-                          imageInfo(desc_), attempted);
+                          imageCreateInfo(desc_), attempted);
   if (!image) {
     return passOn(image);
   }

@@ -18,7 +18,7 @@ namespace ssrkit::vulkan {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-constexpr const char* kAttempted = "create a Vulkan instance";
+constexpr const char* kAttemptedInstance = "create a Vulkan instance";
 
 bool hasLayer(const GlobalFunctions& functions, std::string_view name) {
   std::uint32_t count = 0;
@@ -74,7 +74,7 @@ Expected<std::unique_ptr<Instance>> Instance::create(Library library, Validation
   std::unique_ptr<Instance> instance(new Instance(std::move(library)));
   const GlobalFunctions& functions = instance->library_.functions();
   if (checks.any() && !hasLayer(functions, kValidationLayer)) {
-    return setupError(kAttempted,
+    return setupError(kAttemptedInstance,
                       fmt::format("SSRKIT_VALIDATION asks for it, but {} is not installed", kValidationLayer),
                       {}, "install the Debian package vulkan-validationlayers or unset SSRKIT_VALIDATION");
   }
@@ -129,7 +129,7 @@ Expected<void> Instance::createInstance() {
   const VkResult result = library_.functions().vkCreateInstance(&info, nullptr, &instance_);
   if (result != VK_SUCCESS) {
     instance_ = VK_NULL_HANDLE;
-    return resultError(kAttempted, "vkCreateInstance", result);
+    return resultError(kAttemptedInstance, "vkCreateInstance", result);
   }
 #ifdef __SANITIZE_ADDRESS__
   // They keep things for ever: once their libraries are unloaded, those would look like leaks of ours.
@@ -144,11 +144,11 @@ Expected<void> Instance::loadFunctions() {
   const PFN_vkGetInstanceProcAddr address_of = library_.getInstanceProcAddr();
 #define SSRKIT_LOAD_OPTIONAL(name) \
   functions_.name = reinterpret_cast<PFN_##name>(address_of(instance_, #name));
-#define SSRKIT_LOAD(name)                                               \
-  SSRKIT_LOAD_OPTIONAL(name)                                            \
-  if (functions_.name == nullptr) {                                     \
-    return setupError(kAttempted, "the loader has no " #name, {},       \
-                      "update the Vulkan loader (Debian: libvulkan1)"); \
+#define SSRKIT_LOAD(name)                                                 \
+  SSRKIT_LOAD_OPTIONAL(name)                                              \
+  if (functions_.name == nullptr) {                                       \
+    return setupError(kAttemptedInstance, "the loader has no " #name, {}, \
+                      "update the Vulkan loader (Debian: libvulkan1)");   \
   }
   SSRKIT_VULKAN_INSTANCE_FUNCTIONS(SSRKIT_LOAD)
   SSRKIT_VULKAN_DEBUG_FUNCTIONS(SSRKIT_LOAD_OPTIONAL)

@@ -10,12 +10,6 @@ namespace ssrkit::testing {
 
 namespace {
 
-// A frontal mirror at dist_view 10: the ray of a pixel d texels right of the centre is seen at d (20 - dist)
-// / dist.
-AnalyticScene frontalMirrorAt10(Size size) {
-  return render(formulaCamera(size), {{.normal_view = {0, 0, 1}, .offset = -10.0, .is_mirror = true}});
-}
-
 void expectNoHit(const RayHit& hit) {
   EXPECT_EQ(hit.texel_x, -1);
   EXPECT_EQ(hit.texel_y, -1);

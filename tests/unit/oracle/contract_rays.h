@@ -1,4 +1,5 @@
-// What the tests of the tracing contract share: a normal set by hand, and two rays held equal.
+// What the tests of the tracing contract share: a mirror across the view, a normal set by hand, and two rays
+// held equal.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,6 +7,12 @@
 #include "analytic_scene.h"
 
 namespace ssrkit::testing {
+
+// A frontal mirror at dist_view 10: the ray of a pixel d texels right of the centre is seen at d (20 - dist)
+// / dist.
+inline AnalyticScene frontalMirrorAt10(Size size) {
+  return render(formulaCamera(size), {{.normal_view = {0, 0, 1}, .offset = -10.0, .is_mirror = true}});
+}
 
 inline void setNormal(AnalyticScene& scene, int x, int y, glm::dvec3 normal, float cosine = 1.0F) {
   for (int axis = 0; axis < 3; ++axis) {

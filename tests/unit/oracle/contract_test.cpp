@@ -5,18 +5,9 @@
 #include <random>
 
 #include "analytic_scene.h"
+#include "contract_rays.h"
 
 namespace ssrkit::testing {
-
-namespace {
-
-// A frontal mirror at dist_view 10: the ray of a pixel d texels right of the centre is seen at d (20 - dist)
-// / dist.
-AnalyticScene frontalMirrorAt10(Size size) {
-  return render(formulaCamera(size), {{.normal_view = {0, 0, 1}, .offset = -10.0, .is_mirror = true}});
-}
-
-}  // namespace
 
 TEST(OracleContract, OneMirrorPlaneOfAnyOrientationNeverHitsItself) {
   std::mt19937 random(7);

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "ns_per_ms.h"
 #include "report/bench_svg.h"
 #include "spaces/roofline.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::size_t kRounds = 15;
 
 // 15 rounds of this CPU time, half of it in wall time, after a first of ten times as much.
@@ -32,8 +32,8 @@ BenchReport report() {
   BenchReport made;
   made.kit_version = "1.2.3";
   made.machine = {"a CPU", 2};
-  made.series = {seriesOf("", "gbuffer", 2 * kMs), seriesOf("hiz", "trace", 4 * kMs),
-                 seriesOf("walk", "trace", 12 * kMs)};
+  made.series = {seriesOf("", "gbuffer", 2 * kNsPerMs), seriesOf("hiz", "trace", 4 * kNsPerMs),
+                 seriesOf("walk", "trace", 12 * kNsPerMs)};
   made.series[1].rays = 64;
   made.series[1].lookups = 640;
   return made;
@@ -85,7 +85,7 @@ TEST(BenchSeries, TheLimitIsLookupsAsFetchesAndPixelsAsWrites) {
 
 TEST(BenchNatives, HoldEveryDevicesTraceAgainstThePeersOfTheSameRays) {
   BenchReport made = report();
-  BenchSeries native = seriesOf("hiz", "trace", 2 * kMs);
+  BenchSeries native = seriesOf("hiz", "trace", 2 * kNsPerMs);
   native.device = "native-avx2";
   made.series.push_back(native);
   native.device = "native-avx512";
@@ -118,11 +118,12 @@ TEST(BenchMove, IsNamedOnlyWhereTheWholeIntervalHasMoved) {
 }
 
 TEST(BenchComparison, HoldsOnlyWhatWasTracedAlikeAndNamesTheRest) {
-  std::vector<BenchSeries> then = {seriesOf("", "gbuffer", kMs), seriesOf("hiz", "trace", 4 * kMs),
-                                   seriesOf("walk", "trace", kMs), seriesOf("dda", "trace", kMs)};
+  std::vector<BenchSeries> then = {seriesOf("", "gbuffer", kNsPerMs), seriesOf("hiz", "trace", 4 * kNsPerMs),
+                                   seriesOf("walk", "trace", kNsPerMs), seriesOf("dda", "trace", kNsPerMs)};
   then[1].parameters = then[2].parameters = then[3].parameters = TraceParameters{};
-  std::vector<BenchSeries> now = {seriesOf("", "gbuffer", 2 * kMs), seriesOf("hiz", "trace", 4 * kMs),
-                                  seriesOf("walk", "trace", 2 * kMs), seriesOf("naive", "trace", kMs)};
+  std::vector<BenchSeries> now = {
+      seriesOf("", "gbuffer", 2 * kNsPerMs), seriesOf("hiz", "trace", 4 * kNsPerMs),
+      seriesOf("walk", "trace", 2 * kNsPerMs), seriesOf("naive", "trace", kNsPerMs)};
   now[1].parameters = now[2].parameters = now[3].parameters = TraceParameters{};
   now[2].parameters->thickness_m = 0.3;
   now[2].parameters->jitter = 1.0;
@@ -144,7 +145,8 @@ TEST(BenchComparison, HoldsOnlyWhatWasTracedAlikeAndNamesTheRest) {
 TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
   BenchReport made = report();
   made.series[0].scene = "a scene with a name that is much longer than any column could ever be";
-  made.starts = {{"clutter", "vk-lavapipe", false, 20 * kMs, 300 * kMs, 4 * kMs, 900 * kMs}};
+  made.starts = {
+      {"clutter", "vk-lavapipe", false, 20 * kNsPerMs, 300 * kNsPerMs, 4 * kNsPerMs, 900 * kNsPerMs}};
   made.scalings = {{"resolution",
                     "texels across",
                     "CPU",
@@ -158,7 +160,7 @@ TEST(BenchText, FitsAHundredColumnsAndHoldsTraceAgainstHiz) {
   made.comparison.changes = {
       {&made.series[1], RatioInterval{1.5, 1.4, 1.6, 1.3, 1.7}, BenchMove::kSlower},
       {&made.series[2], RatioInterval{1.0, 1.0, 1.0, 1.0, 1.0}, BenchMove::kUnchanged}};
-  made.comparison.uncompared = {{seriesOf("dda", "trace", kMs), std::string(100, 'w')}};
+  made.comparison.uncompared = {{seriesOf("dda", "trace", kNsPerMs), std::string(100, 'w')}};
   made.replacements = {std::string(100, 'r') + "=a.frag"};
   const std::string text = benchText(made);
   for (const std::string& line : split(text, '\n')) {
@@ -204,7 +206,7 @@ TEST(BenchJson, SaysWhatWasMeasuredAndWhere) {
   EXPECT_EQ(trace.at("stage"), "hiz");
   EXPECT_EQ(trace.at("cpu_ms").at("median"), 4.0);
   EXPECT_EQ(trace.at("steady").size(), kRounds);
-  EXPECT_EQ(trace.at("first").at("cpu_ns"), 40 * kMs);
+  EXPECT_EQ(trace.at("first").at("cpu_ns"), 40 * kNsPerMs);
   EXPECT_TRUE(trace.at("roofline_multiple").is_null());
   EXPECT_EQ(trace.at("parameters").at("thickness_m"), "inf");
   EXPECT_TRUE(json.at("series").at(0).at("parameters").is_null());

@@ -5,16 +5,15 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "ns_per_ms.h"
 
 namespace ssrkit {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-
 PassReport timed(const std::string& pass, const std::vector<std::int64_t>& cpu_ms) {
-  PassReport report{.pass = pass, .cold = {.wall_ns = 0, .cpu_ns = 900 * kMs}, .steady = {}};
+  PassReport report{.pass = pass, .cold = {.wall_ns = 0, .cpu_ns = 900 * kNsPerMs}, .steady = {}};
   for (const std::int64_t ms : cpu_ms) {
-    report.steady.push_back({.wall_ns = 0, .cpu_ns = ms * kMs});
+    report.steady.push_back({.wall_ns = 0, .cpu_ns = ms * kNsPerMs});
   }
   return report;
 }
