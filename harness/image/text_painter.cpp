@@ -26,12 +26,13 @@ std::string environment(const char* variable) {
 }
 
 std::vector<fs::path> fontFolders() {
-  std::vector<fs::path> folders = {
-      "/usr/share/fonts/truetype/dejavu"};  // Debian's place, found without a search
   const fs::path home = environment("HOME");
   const std::string data_home = environment("XDG_DATA_HOME");
-  folders.push_back((data_home.empty() ? home / ".local/share" : fs::path(data_home)) / "fonts");
-  folders.push_back(home / ".fonts");
+  std::vector<fs::path> folders = {
+      "/usr/share/fonts/truetype/dejavu",  // Debian's place, found without a search
+      (data_home.empty() ? home / ".local/share" : fs::path(data_home)) / "fonts",
+      home / ".fonts",
+  };
   for (const std::string& folder : split(environment("XDG_DATA_DIRS"), ':')) {
     folders.push_back(fs::path(folder) / "fonts");
   }
