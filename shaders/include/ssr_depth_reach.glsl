@@ -22,9 +22,11 @@ DepthReach depth_reach(Ray ray) {
   return DepthReach(ray.inv_dist_origin * (1.0 - DEPTH_REACH_MARGIN), s_per_inv_dist);
 }
 
-// Negative where the ray starts behind that depth.
-float s_before_depth(DepthReach reach, float dist_view) {
-  return (1.0 / dist_view - reach.inv_dist_start) * reach.s_per_inv_dist;
+// From s on to where the ray comes up to that depth; s itself where it is there already. Compared by their bits, as in
+// ray_s_out(): only one of the two can be negative.
+float s_on_to_depth(DepthReach reach, float s, float dist_view) {
+  float s_depth = (1.0 / dist_view - reach.inv_dist_start) * reach.s_per_inv_dist;
+  return intBitsToFloat(max(floatBitsToInt(s), floatBitsToInt(s_depth)));
 }
 
 #endif

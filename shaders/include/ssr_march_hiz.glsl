@@ -11,8 +11,8 @@
 // child to descend into is found by comparing s with the edge between the children, not by rounding a position. And the
 // test is the ray's depth interval in the cell against the cell's depths, right for rays toward the camera too.
 //
-// It climbs where it leaves the cell's parent, not after every step: a parent that was just found to be in the way would
-// only be looked at again. That is a fifth of the lookups. And it goes down into the child where the ray comes up to the
+// It climbs where it leaves the cell's parent, by an edge that is the parent's too, not after every step: a parent that was
+// just found to be in the way would only be looked at again. That is a fifth of the lookups. And it goes down into the child where the ray comes up to the
 // cell's least depth, not into the first one: a tenth.
 #ifndef SSR_MARCH_HIZ_GLSL
 #define SSR_MARCH_HIZ_GLSL
@@ -43,7 +43,7 @@ RayHit march_hiz(Ray ray, TraceParameters parameters) {
   for (; steps <= parameters.lookup_budget; ++steps) {
     float cell_size_px = exp2(float(mip));
     vec2 s_edges = ray_s_at_edges(ray, (cell + far_edge) * cell_size_px);
-    s_out = min(min(s_edges.x, s_edges.y), ray.s_end);
+    s_out = ray_s_out(ray, s_edges);
     bool may_hit = false;
     if (mip > 0 || any(notEqual(cell, ray.own_texel))) {
       if (lookups == parameters.lookup_budget) {
@@ -62,15 +62,16 @@ RayHit march_hiz(Ray ray, TraceParameters parameters) {
       break;
     }
     if (may_hit) {
-      s_in = max(s_in, s_before_depth(reach, cell_depths.x));
+      s_in = s_on_to_depth(reach, s_in, cell_depths.x);
       cell = hiz_child_at(ray, cell, 0.5 * cell_size_px, far_edge, s_in);
       mip -= 1;
     } else {
-      vec2 neighbour = cell + (s_edges.x <= s_edges.y ? vec2(direction.x, 0.0) : vec2(0.0, direction.y));
-      bool has_other_parent = any(notEqual(floor(0.5 * neighbour), floor(0.5 * cell)));
-      cell = neighbour;
+      bool leaves_by_x = s_edges.x <= s_edges.y;
+      float parents_at_edge = 0.5 * (leaves_by_x ? cell.x + far_edge.x : cell.y + far_edge.y);
+      bool leaves_parent = floor(parents_at_edge) == parents_at_edge;
+      cell += leaves_by_x ? vec2(direction.x, 0.0) : vec2(0.0, direction.y);
       s_in = s_out;
-      if (has_other_parent && lookups > 0 && mip < parameters.max_mip) {
+      if (leaves_parent && lookups > 0 && mip < parameters.max_mip) {
         cell = floor(0.5 * cell);
         mip += 1;
       }

@@ -24,7 +24,7 @@ RayHit march_walk(Ray ray, TraceParameters parameters) {
   // The origin's cell first: it is the pixel's own unless the bias moved the origin.
   bool is_own = all(equal(cell, ray.own_texel));
   for (int step = 0; step <= parameters.lookup_budget; ++step) {
-    s_out = min(min(s_edges.x, s_edges.y), ray.s_end);
+    s_out = ray_s_out(ray, s_edges);
     float inv_dist_out = ray_inv_dist(ray, s_out);
     if (!is_own) {
       if (lookups == parameters.lookup_budget) {

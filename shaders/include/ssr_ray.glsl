@@ -43,6 +43,14 @@ vec2 ray_s_at_edges(Ray ray, vec2 edge_px) { return (edge_px - ray.origin_px) * 
 // 1 towards larger coordinates (also where the ray stands still), else 0: the far edge of a cell is cell + this.
 vec2 ray_far_edge(Ray ray) { return vec2(ray.px_per_s.x >= -PARALLEL_PX, ray.px_per_s.y >= -PARALLEL_PX); }
 
+// s at which the ray leaves a cell, or ends: the least of s_edges, where it crosses the cell's edges ahead, and s_end.
+// By their bits, which are ordered as the numbers are where none is negative: min() of floats minds what is no number, which
+// on software rasterisers is two more instructions, in the chain that the march's next step waits for.
+float ray_s_out(Ray ray, vec2 s_edges) {
+  ivec2 edges = floatBitsToInt(s_edges);
+  return intBitsToFloat(min(min(edges.x, edges.y), floatBitsToInt(ray.s_end)));
+}
+
 // Sets s_end and end_class: the nearest of the image's edges, the near plane and max_distance_m.
 void ray_clip(inout Ray ray, TraceParameters parameters) {
   vec2 s_edges = ray_s_at_edges(ray, ray_far_edge(ray) * parameters.size_px);
