@@ -12,8 +12,8 @@
 // test is the ray's depth interval in the cell against the cell's depths, right for rays toward the camera too.
 //
 // It climbs where it leaves the cell's parent, by an edge that is the parent's too, not after every step: a parent that was
-// just found to be in the way would only be looked at again. That is a fifth of the lookups. And it goes down into the child where the ray comes up to the
-// cell's least depth, not into the first one: a tenth.
+// just found to be in the way would only be looked at again. That is a fifth of the lookups. And it goes down into the
+// child where the ray comes up to the cell's least depth, not into the first one: a tenth.
 #ifndef SSR_MARCH_HIZ_GLSL
 #define SSR_MARCH_HIZ_GLSL
 
