@@ -19,6 +19,7 @@ namespace {
 
 // In the order of the enumerations of frame/peer.h.
 const std::vector<std::string> kDepths = {"dist_view", "view_z", "window", "window_reversed", "linear01"};
+const std::vector<std::string> kMips = {"none", "nearest", "farthest"};
 const std::vector<std::string> kNormals = {"signed", "unsigned", "forward"};
 const std::vector<std::string> kAnswers = {"uv", "uv_upwards", "texel", "mask"};
 const std::vector<std::string> kChannels = {"x", "y", "z", "w"};
@@ -81,9 +82,10 @@ Expected<void> readPeerSection(const PeerFile& file, PeerShader& peer) {
 
 Expected<void> readConventions(const PeerFile& file, PeerShader& peer) {
   FieldReader reads = file.reader("reads");
-  static const std::vector<std::string> kReads = {"depth", "normal"};
+  static const std::vector<std::string> kReads = {"depth", "mips", "normal"};
   reads.allowOnly(kReads);
   peer.depth = static_cast<PeerDepth>(choice(reads, "depth", kDepths));
+  peer.mips = static_cast<PeerMips>(choice(reads, "mips", kMips));
   peer.normal = static_cast<PeerNormal>(choice(reads, "normal", kNormals));
   if (!reads.ok()) {
     return reads.result();

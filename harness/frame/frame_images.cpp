@@ -120,6 +120,7 @@ const std::vector<FrameImageRow>& imageTable() {
       {.name = "composite", .format = kRgba16f, .channels = rgb},
       // A peer's.
       {.name = "peer_depth", .format = kR32f},
+      {.name = "peer_depth_mips", .format = kR32f, .has_mips = true},
       {.name = "peer_normal", .format = kRgba32f},
       {.name = "peer_answer", .format = kRgba32f},
       // What the rooflines compute, which nobody needs.

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "frame/frame_pass.h"
+#include "frame/trace_pass.h"
 
 namespace ssrkit {
 
@@ -29,6 +30,16 @@ Expected<void> checkNames(const PeerShader& peer, const Names& given, const std:
   return {};
 }
 
+std::string depthOf(const PeerShader& peer) {
+  return peer.mips == PeerMips::kNone ? "peer_depth" : "peer_depth_mips";
+}
+
+// Whether its mips hold the greatest number below them, and not the least.
+bool keepsGreatest(const PeerShader& peer) {
+  const bool nearer_is_greater = peer.depth == PeerDepth::kViewZ || peer.depth == PeerDepth::kWindowReversed;
+  return nearer_is_greater == (peer.mips == PeerMips::kNearest);
+}
+
 }  // namespace
 
 Expected<void> checkPeerNames(const PeerShader& peer, const Program& program) {
@@ -43,23 +54,36 @@ Expected<void> checkPeerNames(const PeerShader& peer, const Program& program) {
   return checked ? checkNames(peer, peer.constants, members, "block member") : checked;
 }
 
-FramePass peerInputs(const PeerShader& peer) {
-  return {.name = "peer_inputs",
-          .outputs = {"peer_depth", "peer_normal"},
-          .constants = {{"peer_depth_form", static_cast<int>(peer.depth)},
-                        {"peer_normal_form", static_cast<int>(peer.normal)}}};
+std::vector<FramePass> peerInputs(const PeerShader& peer) {
+  std::vector<FramePass> passes = {{.name = "peer_inputs",
+                                    .outputs = {depthOf(peer), "peer_normal"},
+                                    .constants = {{"peer_depth_form", static_cast<int>(peer.depth)},
+                                                  {"peer_normal_form", static_cast<int>(peer.normal)}}}};
+  if (peer.mips != PeerMips::kNone) {
+    passes.push_back({.name = "peer_mips",
+                      .outputs = {depthOf(peer)},
+                      .constants = {{"peer_mips_sign", keepsGreatest(peer) ? -1.0 : 1.0}},
+                      .fills_mips = true});
+  }
+  return passes;
 }
 
-FramePass peerTrace(const PeerShader& peer) {
+std::vector<FramePass> peerTrace(const PeerShader& peer) {
+  const FramePass& without_ray = withoutRayPass();
   FramePass pass{.name = "peer " + peer.name,
                  .outputs = {"peer_answer"},
                  .constants = peer.constants,
                  .shader = peer.file.string(),
+                 .depth = without_ray.depth,
+                 .layer = without_ray.layer,
+                 .clears = {"peer_answer"},
                  .values = peer.values};
   for (const auto& [sampler, image] : peer.images) {
-    pass.inputs.emplace(sampler, image == "depth" || image == "normal" ? "peer_" + image : image);
+    pass.inputs.emplace(sampler, image == "depth"    ? depthOf(peer)
+                                 : image == "normal" ? "peer_normal"
+                                                     : image);
   }
-  return pass;
+  return {without_ray, pass};
 }
 
 FramePass peerAnswer(const PeerShader& peer) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "frame/uniform_values.h"
@@ -21,6 +22,13 @@ enum class PeerDepth {
   kWindow,          // 0 at the near plane, 1 at the far plane and for background
   kWindowReversed,  // 1 at the near plane, 0 at the far plane and for background
   kLinear01,        // metres over the far plane's, 1 for background
+};
+
+// What the mips of its depth hold of the texels below them.
+enum class PeerMips {
+  kNone,      // it has none
+  kNearest,   // the nearest surface's depth: what a ray before it may pass
+  kFarthest,  // the farthest's
 };
 
 // The normal that it reads; view space, +z towards the viewer unless said otherwise.
@@ -47,6 +55,7 @@ struct PeerShader {
   std::map<std::string, std::string> values;
   std::map<std::string, UniformConstant> constants;
   PeerDepth depth = PeerDepth::kDistView;
+  PeerMips mips = PeerMips::kNone;
   PeerNormal normal = PeerNormal::kSigned;
   PeerAnswer answer = PeerAnswer::kUv;
   int hit_channel = 3;       // over 0: it hit
@@ -58,10 +67,11 @@ struct PeerShader {
 // Fails when the shader has no sampler or block member of a name that the peer's file gives.
 [[nodiscard]] Expected<void> checkPeerNames(const PeerShader& peer, const Program& program);
 
-// Before it: the depth and normal that it expects. It: one float output of four channels. After it: its
-// answer as the kit's ray record; a miss is given the class of the ray's end, which a peer has no word for.
-[[nodiscard]] FramePass peerInputs(const PeerShader& peer);
-[[nodiscard]] FramePass peerTrace(const PeerShader& peer);
+// Before it: the depth and normal that it expects. It: one float output of four channels, drawn as the kit's
+// tracers are, where rays start. After it: its answer as the kit's ray record; a miss is given the class of
+// the ray's end, which a peer has no word for.
+[[nodiscard]] std::vector<FramePass> peerInputs(const PeerShader& peer);
+[[nodiscard]] std::vector<FramePass> peerTrace(const PeerShader& peer);
 [[nodiscard]] FramePass peerAnswer(const PeerShader& peer);
 
 }  // namespace ssrkit

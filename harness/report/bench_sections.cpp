@@ -66,17 +66,18 @@ std::string answersText(const BenchReport& report) {
     if (text.empty()) {
       text = fmt::format(
           "answers against the exact walk, % of the rays, ties as the same\n  "
-          "{:<28}{:<18}{:>7}{:>6}{:>7}{:>7}{:>7}{:>17}\n",
-          "scene and device", "stage", "same", "near", "wrong", "false", "missed", "lookups/ray, p95");
+          "{:<26}{:<15}{:>7}{:>6}{:>7}{:>7}{:>7}{:>22}\n",
+          "scene and device", "stage", "same", "near", "wrong", "false", "missed", "lookups, p95, most");
     }
-    text +=
-        fmt::format("  {:<28}{:<18}{:>7}{:>6}{:>7}{:>7}{:>7}{:>10}{:>7}\n",
-                    cellText(answer.scene + " " + answer.device, 27), cellText(answer.stage, 17),
-                    shareText(answer, {Verdict::kSame, Verdict::kAmbiguous}),
-                    shareText(answer, {Verdict::kNear}), shareText(answer, {Verdict::kWrong, Verdict::kLeak}),
-                    shareText(answer, {Verdict::kFalseHit}), shareText(answer, {Verdict::kMissedHit}),
-                    answer.lookups_per_ray > 0.0 ? measureText(answer.lookups_per_ray) : "-",
-                    answer.lookups_per_ray > 0.0 ? measureText(answer.p95_lookups) : "-");
+    const bool has_lookups = answer.lookups_per_ray > 0.0;
+    text += fmt::format(
+        "  {:<26}{:<15}{:>7}{:>6}{:>7}{:>7}{:>7}{:>8}{:>7}{:>7}\n",
+        cellText(answer.scene + " " + answer.device, 25), cellText(answer.stage, 14),
+        shareText(answer, {Verdict::kSame, Verdict::kAmbiguous}), shareText(answer, {Verdict::kNear}),
+        shareText(answer, {Verdict::kWrong, Verdict::kLeak}), shareText(answer, {Verdict::kFalseHit}),
+        shareText(answer, {Verdict::kMissedHit}), has_lookups ? measureText(answer.lookups_per_ray) : "-",
+        has_lookups ? measureText(answer.p95_lookups) : "-",
+        has_lookups ? measureText(answer.max_lookups) : "-");
   }
   return text.empty() ? text : text + "\n";
 }

@@ -85,7 +85,7 @@ void fields(Archive& archive, T& constant) {
 
 template <class Archive, Is<PeerShader> T>
 void fields(Archive& archive, T& peer) {
-  archive(peer.name, peer.file, peer.images, peer.values, peer.constants, peer.depth, peer.normal,
+  archive(peer.name, peer.file, peer.images, peer.values, peer.constants, peer.depth, peer.mips, peer.normal,
           peer.answer, peer.hit_channel, peer.lookups_channel);
 }
 

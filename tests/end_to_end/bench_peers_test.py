@@ -50,6 +50,19 @@ class Peers(PeerTest):
                 self.assertAlmostEqual(1.0, answers[name]["lookups"]["mean"] / answers["walk"]["lookups"]["mean"],
                                        delta=0.02)
 
+    def test_a_march_through_the_mips_of_its_depth_is_right_in_fewer_lookups(self):
+        for device in kit.DEVICES:
+            answers = self.answers(self.peer("cell_march"), device=device)
+            self.assertGreater(same(answers["cell_march"]), 0.99, answers["cell_march"])
+            self.assertLess(answers["cell_march"]["lookups"]["mean"], 0.5 * answers["walk"]["lookups"]["mean"])
+            passes = {series["pass"] for series in self.report()["series"] if series["stage"] == "cell_march"}
+            self.assertIn("peer_mips", passes)
+
+    def test_mips_of_the_wrong_kind_or_none_are_seen(self):
+        for change in (('"nearest"', '"farthest"'), ('mips = "nearest"\n', "")):
+            answers = self.answers(self.peer("cell_march", *change))
+            self.assertLess(same(answers["cell_march"]), 0.95, change)
+
     def test_a_thickness_of_the_wrong_sign_is_seen(self):
         for name, sign in (("texel_march", ("surface + thickness", "surface - thickness")),
                            ("texel_march_hlsl", ("surface + Thickness", "surface - Thickness"))):
@@ -71,6 +84,7 @@ class BadPeers(PeerTest):
     def test_what_is_wrong_with_its_file_is_named_with_its_place(self):
         for change, words in ((("[reads]", "[reeds]"), ("texel_march.toml:6:", "reeds", "reads")),
                               (("window_reversed", "reversed"), (".toml:7:9", "'reversed'", "window_reversed")),
+                              (('depth = "window_reversed"', 'mips = "least"'), (".toml:7:8", "'least'", "nearest")),
                               (('depthTex = "depth"', 'depthTex = "deepth"'), ("did you mean 'depth'?",)),
                               (('hit = "w"', 'hit = "q"'), ("'q'", "x")),
                               (('hit = "w"', ""), ("hit",)),
