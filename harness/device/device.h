@@ -123,6 +123,8 @@ struct PassDesc {
   std::uint32_t uniform_binding = 0;
   std::span<const std::byte> uniforms;  // one std140 block, empty when the program has none
   const DeviceBuffer* vertices = nullptr;
+  // The first one's size (the depth's without any) is the pass's. Others may be larger: what they hold beside
+  // that size is lost when they are cleared, and stays as it is otherwise.
   std::vector<Attachment> colour;
   std::optional<Attachment> depth;
   Rect viewport;
@@ -164,9 +166,10 @@ class Device {
                                               std::span<const std::byte> bytes) = 0;
   [[nodiscard]] virtual Expected<std::vector<std::byte>> read(const DeviceImage& image, int mip) = 0;
 
-  // Copies the whole mip of `from` to `to` (its mip 0) with its upper left corner at (x, y). Same format.
-  [[nodiscard]] virtual Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x,
-                                            int y) = 0;
+  // Copies the upper left `size` texels of a mip of `from` to `to` (its mip 0), where their corner comes to
+  // stand at (x, y). Same format.
+  [[nodiscard]] virtual Expected<void> copy(const DeviceImage& from, int mip, Size size, DeviceImage& to,
+                                            int x, int y) = 0;
 
   // Draws and waits. A pass may not sample a mip that it draws to.
   [[nodiscard]] virtual Expected<PassTime> draw(const PassDesc& pass) = 0;

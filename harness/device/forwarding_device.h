@@ -28,9 +28,9 @@ class ForwardingDevice : public Device {
   [[nodiscard]] Expected<std::vector<std::byte>> read(const DeviceImage& image, int mip) override {
     return device_.read(image, mip);
   }
-  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x,
+  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, Size size, DeviceImage& to, int x,
                                     int y) override {
-    return device_.copy(from, mip, to, x, y);
+    return device_.copy(from, mip, size, to, x, y);
   }
   [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override { return device_.draw(pass); }
   [[nodiscard]] std::vector<std::string> drainMessages() override { return device_.drainMessages(); }

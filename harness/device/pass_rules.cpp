@@ -44,7 +44,9 @@ void checkAttachment(const Attachment& attachment, Format format, Size size) {
   SSRKIT_CHECK(attachment.image != nullptr);
   const ImageDesc& desc = attachment.image->desc();
   SSRKIT_CHECK(desc.format == format);
-  SSRKIT_CHECK(mipSize(desc, attachment.mip) == size);
+  const auto [width, height] = mipSize(desc, attachment.mip);
+  SSRKIT_CHECK_LE(size.width, width);
+  SSRKIT_CHECK_LE(size.height, height);
 }
 
 void checkAttachments(const PassDesc& pass, const ProgramLayout& layout) {
@@ -106,9 +108,11 @@ void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> byte
   SSRKIT_CHECK_EQ(bytes.size(), mipByteCount(desc, mip));
 }
 
-void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y) {
+void checkCopy(const ImageDesc& from, int mip, Size size, const ImageDesc& to, int x, int y) {
   SSRKIT_CHECK(from.format == to.format);
-  const Size size = mipSize(from, mip);
+  const auto [width, height] = mipSize(from, mip);
+  SSRKIT_CHECK_LE(size.width, width);
+  SSRKIT_CHECK_LE(size.height, height);
   SSRKIT_CHECK_LE(0, x);
   SSRKIT_CHECK_LE(0, y);
   SSRKIT_CHECK_LE(x + size.width, to.size.width);

@@ -32,12 +32,12 @@ struct ProgramLayout {
 // The span's size is the mip's, to the byte.
 void checkUpload(const ImageDesc& desc, int mip, std::span<const std::byte> bytes);
 
-// One format, and the mip lies inside mip 0 of `to` at (x, y).
-void checkCopy(const ImageDesc& from, int mip, const ImageDesc& to, int x, int y);
+// One format, and `size` lies inside the mip of `from` and, at (x, y), inside mip 0 of `to`.
+void checkCopy(const ImageDesc& from, int mip, Size size, const ImageDesc& to, int x, int y);
 
 // Fails when the program reads a sampler or a block that the pass does not supply. Checks that the
-// attachments are the program's, all of one size, that viewport and scissor lie inside them, that no mip is
-// both drawn to and sampled, and that integer images are not filtered.
+// attachments are the program's, none smaller than the first, that viewport and scissor lie inside them, that
+// no mip is both drawn to and sampled, and that integer images are not filtered.
 [[nodiscard]] Expected<void> checkPass(const PassDesc& pass, const ProgramLayout& layout);
 
 // No draw reads past the vertex buffer's end.

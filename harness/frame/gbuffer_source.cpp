@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "base/check.h"
+#include "base/size.h"
 #include "frame/geometry_pass.h"
 #include "frame/image_transfer.h"
 #include "frame/pyramid.h"
+#include "frame/stages.h"
 
 namespace ssrkit {
 
@@ -21,6 +24,18 @@ std::vector<Format> gbufferFormats() {
   }
   formats.push_back(frameImageRow("dist_range").format);
   return formats;
+}
+
+// The atlas of the depth pyramid as `hiz` reads it unless told otherwise, or where there is none of that size
+// an image that nobody reads.
+Expected<DeviceImage*> rangeImage(FrameImages& images) {
+  const auto stage = findStage("hiz");
+  SSRKIT_CHECK(stage.has_value());
+  const Size atlas = atlasSize(images.size(), withStageDefaults({}, **stage, images.size()).max_mip);
+  const bool fits = std::max(atlas.width, atlas.height) <= kMaxImageSide;
+  return images.getSized({.name = "dist_range",
+                          .format = frameImageRow("dist_range").format,
+                          .size = fits ? atlas : images.size()});
 }
 
 // With what gbuffer.frag writes beside the given channels: alpha 1 on surfaces, 0 for background.
@@ -92,7 +107,7 @@ Expected<PassTime> drawGbuffer(Device& device, const Program& program, const Sce
     images.drop("dist_range");  // an earlier frame's
   }
   for (const std::string& name : names) {
-    const auto image = images.get(name);
+    const auto image = name == "dist_range" ? rangeImage(images) : images.get(name);
     if (!image) {
       return tl::make_unexpected(image.error());
     }

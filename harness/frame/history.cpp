@@ -86,7 +86,7 @@ Expected<void> History::keep(Device& device, FrameImages& images, const std::str
       return inputError("keep the previous frame", fmt::format("the image '{}' has not been made", source),
                         "", "a pass of the frame or of the technique must write it");
     }
-    if (auto copied = device.copy(*from, 0, *images.find(kept.image), 0, 0); !copied) {
+    if (auto copied = device.copy(*from, 0, from->desc().size, *images.find(kept.image), 0, 0); !copied) {
       return copied;
     }
   }

@@ -17,6 +17,12 @@ Size levelSize(Size padded, int level) {
   return {padded.width >> level, padded.height >> level};
 }
 
+// The image that holds the base in its corner; null when the G-buffer's rasteriser has left none of this
+// depth.
+const DeviceImage* rasterisedBase(const std::string& source, const FrameImages& images) {
+  return source == "dist_view" ? images.find("dist_range") : nullptr;
+}
+
 Expected<PassTime> drawBase(Device& device, const Program& program, DeviceImage& base, const Rect& texels,
                             const std::string& source, const FrameImages& images,
                             const UniformValues& values) {
@@ -31,10 +37,10 @@ Expected<PassTime> drawBase(Device& device, const Program& program, DeviceImage&
                         images, values);
 }
 
-Expected<PassTime> copyTimed(Device& device, const DeviceImage& from, int mip, DeviceImage& to,
+Expected<PassTime> copyTimed(Device& device, const DeviceImage& from, int mip, Size size, DeviceImage& to,
                              int first_row) {
   const PassClock clock;
-  if (const auto copied = device.copy(from, mip, to, 0, first_row); !copied) {
+  if (const auto copied = device.copy(from, mip, size, to, 0, first_row); !copied) {
     return tl::make_unexpected(copied.error());
   }
   PassTime time = clock.elapsed();
@@ -42,15 +48,17 @@ Expected<PassTime> copyTimed(Device& device, const DeviceImage& from, int mip, D
   return time;
 }
 
-// Level 0. Where the G-buffer's rasteriser has left it only the padding is drawn.
+// Level 0. What the G-buffer's rasteriser has left is taken, from where it stands or in its place; then only
+// the padding is drawn.
 Expected<PassTime> makeBase(Device& device, const Program& program, DeviceImage& base, Size padded,
                             const std::string& source, const FrameImages& images,
                             const UniformValues& values) {
-  const DeviceImage* rasterised = source == "dist_view" ? images.find("dist_range") : nullptr;
+  const DeviceImage* const rasterised = rasterisedBase(source, images);
   if (rasterised == nullptr) {
     return drawBase(device, program, base, {0, 0, padded.width, padded.height}, source, images, values);
   }
-  auto sum = copyTimed(device, *rasterised, 0, base, 0);
+  auto sum = rasterised == &base ? Expected<PassTime>(kNoTime)
+                                 : copyTimed(device, *rasterised, 0, images.size(), base, 0);
   const auto [width, height] = images.size();
   for (const Rect& padding : {Rect{width, 0, padded.width - width, height},
                               Rect{0, height, padded.width, padded.height - height}}) {
@@ -92,7 +100,8 @@ Expected<PassTime> makeLevels(Device& device, const Program& program, DeviceImag
                                images, values);
     if (time && is_atlas) {
       sum += *time;
-      time = copyTimed(device, **upper, target_mip, base, 2 * padded.height - (2 * padded.height >> level));
+      time = copyTimed(device, **upper, target_mip, size, base,
+                       2 * padded.height - (2 * padded.height >> level));
     }
     if (!time) {
       return time;
@@ -121,6 +130,21 @@ Size paddedSize(Size size, int max_mip) {
   return {(size.width + cell - 1) / cell * cell, (size.height + cell - 1) / cell * cell};
 }
 
+Size atlasSize(Size size, int max_mip) {
+  const Size padded = paddedSize(size, max_mip);
+  return {padded.width, 2 * padded.height};
+}
+
+std::string pyramidImage(PyramidLayout layout, int max_mip, const std::string& source,
+                         const FrameImages& images) {
+  if (layout != PyramidLayout::kAtlas) {
+    return "pyramid";
+  }
+  const DeviceImage* const rasterised = rasterisedBase(source, images);
+  const bool is_atlas = rasterised != nullptr && rasterised->desc().size == atlasSize(images.size(), max_mip);
+  return is_atlas ? "dist_range" : "pyramid_atlas";
+}
+
 const PassRow& pyramidBasePass() {
   static const PassRow row{.name = "pyramid_base",
                            .vertex_shader = "full_screen.vert",
@@ -146,14 +170,14 @@ Expected<PassTime> buildPyramid(Device& device, const PyramidPrograms& programs,
                                 UniformValues& values) {
   const Size padded = paddedSize(images.size(), max_mip);
   const bool is_atlas = layout == PyramidLayout::kAtlas;
-  const Size base_size = is_atlas ? Size{padded.width, 2 * padded.height} : padded;
+  const Size base_size = is_atlas ? atlasSize(images.size(), max_mip) : padded;
   if (std::max(base_size.width, base_size.height) > kMaxImageSide) {
     return inputError("build the depth pyramid",
                       fmt::format("its atlas of {}x{} is over {} texels a side", base_size.width,
                                   base_size.height, kMaxImageSide),
                       "", "use a smaller size or --param form=textbook");
   }
-  const auto base = images.getSized({.name = is_atlas ? "pyramid_atlas" : "pyramid",
+  const auto base = images.getSized({.name = pyramidImage(layout, max_mip, source, images),
                                      .format = Format::kRg32f,
                                      .size = base_size,
                                      .mip_count = is_atlas ? 1 : max_mip + 1});

@@ -92,6 +92,9 @@ Expected<void> Tracing::draw(Device& device, FrameImages& images, UniformValues&
       return tl::make_unexpected(time.error());
     }
     times_.add("pyramid", *time);
+    // What the tracer's sampler of either layout reads.
+    trace_.back().pass.inputs[layout_ == PyramidLayout::kAtlas ? "pyramid_atlas" : "pyramid"] =
+        pyramidImage(layout_, parameters_.max_mip, depthImage(), images);
   }
   values.set("sample_count", technique_.sample_count);
   for (int sample = 0; sample < technique_.sample_count; ++sample) {

@@ -83,10 +83,9 @@ class GlDevice final : public Device {
     return glImage(image).read(mip);
   }
 
-  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x,
+  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, Size size, DeviceImage& to, int x,
                                     int y) override {
-    checkCopy(from.desc(), mip, to.desc(), x, y);
-    const Size size = mipSize(from.desc(), mip);
+    checkCopy(from.desc(), mip, size, to.desc(), x, y);
     const GladGLContext& gl = session_->gl();
     gl.CopyImageSubData(glImage(from).texture(), GL_TEXTURE_2D, mip, 0, 0, 0, glImage(to).texture(),
                         GL_TEXTURE_2D, 0, x, y, 0, size.width, size.height, 1);

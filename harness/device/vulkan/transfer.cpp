@@ -123,10 +123,10 @@ Expected<std::vector<std::byte>> Transfer::read(Commands& commands, const Vulkan
   return std::vector<std::byte>(staging_.data, staging_.data + byte_count);
 }
 
-Expected<void> Transfer::copy(Commands& commands, const VulkanImage& from, int mip, const VulkanImage& to,
-                              int x, int y) {
+Expected<void> Transfer::copy(Commands& commands, const VulkanImage& from, int mip, Size size,
+                              const VulkanImage& to, int x, int y) {
   constexpr std::string_view kAttempted = "copy an image";
-  checkCopy(from.desc(), mip, to.desc(), x, y);
+  checkCopy(from.desc(), mip, size, to.desc(), x, y);
   SSRKIT_CHECK(&from != &to || mip != 0);
   auto buffer = commands.begin(kAttempted);
   if (!buffer) {
@@ -140,7 +140,7 @@ Expected<void> Transfer::copy(Commands& commands, const VulkanImage& from, int m
   region.srcSubresource = mipLayers(from, mip);
   region.dstSubresource = mipLayers(to, 0);
   region.dstOffset = {x, y, 0};
-  region.extent = mipExtent(from, mip);
+  region.extent = {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height), 1};
   gpu_->functions().vkCmdCopyImage(*buffer, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.get(),
                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   return finish(commands, kAttempted);

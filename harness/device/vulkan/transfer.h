@@ -24,8 +24,8 @@ class Transfer {
                                       std::span<const std::byte> bytes);
   [[nodiscard]] Expected<std::vector<std::byte>> read(Commands& commands, const VulkanImage& image, int mip);
 
-  // The whole mip of `from` to mip 0 of `to`, its upper left corner at (x, y).
-  [[nodiscard]] Expected<void> copy(Commands& commands, const VulkanImage& from, int mip,
+  // The upper left `size` texels of the mip of `from` to mip 0 of `to`, their corner at (x, y).
+  [[nodiscard]] Expected<void> copy(Commands& commands, const VulkanImage& from, int mip, Size size,
                                     const VulkanImage& to, int x, int y);
 
  private:

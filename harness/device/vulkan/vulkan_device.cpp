@@ -70,9 +70,9 @@ class VulkanDevice final : public Device {
     return transfer_.read(commands_, vulkanImage(image), mip);
   }
 
-  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, DeviceImage& to, int x,
+  [[nodiscard]] Expected<void> copy(const DeviceImage& from, int mip, Size size, DeviceImage& to, int x,
                                     int y) override {
-    return transfer_.copy(commands_, vulkanImage(from), mip, vulkanImage(to), x, y);
+    return transfer_.copy(commands_, vulkanImage(from), mip, size, vulkanImage(to), x, y);
   }
 
   [[nodiscard]] Expected<PassTime> draw(const PassDesc& pass) override;

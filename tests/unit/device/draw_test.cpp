@@ -76,6 +76,32 @@ TEST_P(DrawTest, ManyTargetsOfManyKindsKeepTheirExactValues) {
   EXPECT_EQ(read<std::uint8_t>(*bytes), (std::vector<std::uint8_t>{200, 200, 201, 201}));
 }
 
+TEST_P(DrawTest, ALargerTargetIsDrawnToInItsCorner) {
+  const auto floats = image(Format::kRgba32f, {2, 2});
+  const auto signed_integers = image(Format::kRg16i, {2, 2});
+  const auto unsigned_integers = image(Format::kRgba16ui, {2, 2});
+  const auto wide = image(Format::kR8ui, {4, 5});
+  upload(*wide, 0, std::vector<std::uint8_t>(20, 7));
+  const auto many = screenProgram("many_targets.frag",
+                                  {Format::kRgba32f, Format::kRg16i, Format::kRgba16ui, Format::kR8ui});
+  PassDesc pass = passTo(*floats, *many);
+  for (DeviceImage* const target : {signed_integers.get(), unsigned_integers.get(), wide.get()}) {
+    pass.colour.push_back({.image = target, .mip = 0, .clear = {}});
+  }
+  draw(pass);
+  std::vector<std::uint8_t> expected(20, 7);
+  expected[0] = expected[1] = 200;
+  expected[4] = expected[5] = 201;
+  EXPECT_EQ(read<std::uint8_t>(*wide), expected);
+  pass.colour.back().clear = std::array{9.0, 0.0, 0.0, 0.0};
+  pass.draws.clear();
+  draw(pass);
+  const std::vector<std::uint8_t> cleared = read<std::uint8_t>(*wide);
+  for (const std::size_t i : {0, 1, 4, 5}) {
+    EXPECT_EQ(cleared[i], 9);
+  }
+}
+
 TEST_P(DrawTest, ClearsOfEveryKindArriveExactly) {
   const Size size{3, 1};
   const auto floats = image(Format::kRgba32f, size);

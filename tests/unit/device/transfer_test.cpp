@@ -53,12 +53,21 @@ TEST_P(TransferTest, ACopyLandsAtItsCornerAndLeavesTheRest) {
     const auto to = image(format, {5, 4});
     upload(*from, 1, std::vector<float>{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F});
     upload(*to, 0, std::vector<float>(20, 0.75F));
-    ASSERT_TRUE(device().copy(*from, 1, *to, 3, 1));
+    ASSERT_TRUE(device().copy(*from, 1, {2, 3}, *to, 3, 1));
     EXPECT_EQ(read<float>(*to), (std::vector<float>{0.75F, 0.75F, 0.75F, 0.75F, 0.75F,  //
                                                     0.75F, 0.75F, 0.75F, 0.1F,  0.2F,   //
                                                     0.75F, 0.75F, 0.75F, 0.3F,  0.4F,   //
                                                     0.75F, 0.75F, 0.75F, 0.5F,  0.6F}));
   }
+}
+
+TEST_P(TransferTest, ACopyTakesNoMoreThanItsSize) {
+  const auto from = image(Format::kR32f, {3, 2});
+  const auto to = image(Format::kR32f, {3, 2});
+  upload(*from, 0, std::vector<float>{1, 2, 3, 4, 5, 6});
+  upload(*to, 0, std::vector<float>(6, 9.0F));
+  ASSERT_TRUE(device().copy(*from, 0, {2, 1}, *to, 1, 1));
+  EXPECT_EQ(read<float>(*to), (std::vector<float>{9, 9, 9, 9, 1, 2}));
 }
 
 TEST_P(TransferTest, AnImageOfTheLongestSideWorks) {
@@ -98,7 +107,8 @@ TEST_P(TransferDeathTest, ACopyPastTheEdgeStopsTheProgram) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto from = image(Format::kR32f, {2, 2});
   const auto to = image(Format::kR32f, {4, 4});
-  EXPECT_DEATH((void)device().copy(*from, 0, *to, 3, 0), "5 against 4");
+  EXPECT_DEATH((void)device().copy(*from, 0, {2, 2}, *to, 3, 0), "5 against 4");
+  EXPECT_DEATH((void)device().copy(*from, 0, {3, 2}, *to, 0, 0), "3 against 2");
 }
 
 }  // namespace

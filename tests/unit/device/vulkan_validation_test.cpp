@@ -64,7 +64,7 @@ TEST_P(VulkanValidationTest, EveryFormatTravelsThereAndBackAndSideways) {
       upload(*from, mip, texels);
       EXPECT_EQ(readBytes(*from, mip), texels);
     }
-    ASSERT_TRUE(device().copy(*from, 0, *to, 0, 0));
+    ASSERT_TRUE(device().copy(*from, 0, {6, 5}, *to, 0, 0));
     EXPECT_EQ(readBytes(*to, 0), readBytes(*from, 0));
   }
 }
@@ -134,7 +134,7 @@ TEST_P(VulkanValidationTest, ACopiedRectangleIsSampledWhereItLanded) {
   const auto atlas = image(Format::kR32f, {4, 4});
   upload(*patch, 0, std::vector<float>{1, 2, 3, 4});
   upload(*atlas, 0, std::vector<float>(16, 9.0F));
-  ASSERT_TRUE(device().copy(*patch, 0, *atlas, 2, 1));
+  ASSERT_TRUE(device().copy(*patch, 0, {2, 2}, *atlas, 2, 1));
   const auto seen = image(Format::kRgba32f, {4, 4});
   const auto look_up = screenProgram("look_up.frag", {Format::kRgba32f});
   PassDesc look = passTo(*seen, *look_up);

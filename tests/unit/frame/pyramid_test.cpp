@@ -64,6 +64,21 @@ Image rangesOf(const Image& dist_view) {
   return ranges;
 }
 
+// An atlas as the G-buffer's rasteriser leaves it: the base in its corner, and elsewhere what is of no use.
+Image rasterisedAtlas(const Image& dist_view, int max_mip) {
+  Image atlas(atlasSize(dist_view.size, max_mip), {"X", "Y"});
+  std::ranges::fill(atlas.data, 55.0F);
+  const Image ranges = rangesOf(dist_view);
+  for (int y = 0; y < dist_view.size.height; ++y) {
+    for (int x = 0; x < dist_view.size.width; ++x) {
+      for (std::size_t channel = 0; channel < 2; ++channel) {
+        atlas.at(x, y, channel) = ranges.at(x, y, channel);
+      }
+    }
+  }
+  return atlas;
+}
+
 Image uniformDepths(Size size) {
   Image dist_view(size, {"Z"});
   std::ranges::fill(dist_view.data, 77.0F);
@@ -78,7 +93,7 @@ class PyramidTest : public FrameDeviceTest {
   }
 
   // Builds it from the image `source`, which holds `dist_view`, and holds it to the cover sets of `covered`.
-  // With `rasterised` there is a `dist_range` of that beside it.
+  // With `rasterised` there is a `dist_range` with that for its base beside it.
   void check(const std::string& source, const Image& dist_view, const std::optional<Image>& rasterised,
              const Image& covered, int max_mip, PyramidLayout layout) {
     const Size size = dist_view.size;
@@ -92,9 +107,11 @@ class PyramidTest : public FrameDeviceTest {
     ASSERT_TRUE(uploaded.has_value());
     ASSERT_TRUE(uploadImage(*device_, **uploaded, dist_view, {}).has_value());
     if (rasterised) {
-      const auto range = images.get("dist_range");
+      const Image atlas = rasterisedAtlas(*rasterised, max_mip);
+      const auto range =
+          images.getSized({.name = "dist_range", .format = Format::kRg32f, .size = atlas.size});
       ASSERT_TRUE(range.has_value());
-      ASSERT_TRUE(uploadImage(*device_, **range, rangesOf(*rasterised), {}).has_value());
+      ASSERT_TRUE(uploadImage(*device_, **range, atlas, {}).has_value());
     }
     UniformValues values;
     values.set("size_px", glm::dvec2(size.width, size.height));
@@ -105,7 +122,7 @@ class PyramidTest : public FrameDeviceTest {
     for (int level = 0; level <= max_mip; ++level) {
       const bool is_atlas = layout == PyramidLayout::kAtlas;
       const auto bytes =
-          device_->read(*images.find(is_atlas ? "pyramid_atlas" : "pyramid"), is_atlas ? 0 : level);
+          device_->read(*images.find(pyramidImage(layout, max_mip, source, images)), is_atlas ? 0 : level);
       ASSERT_TRUE(bytes.has_value());
       const int row_length = is_atlas ? padded.width : padded.width >> level;
       const int first_row = is_atlas ? 2 * padded.height - (2 * padded.height >> level) : 0;
@@ -147,6 +164,16 @@ TEST_P(PyramidTest, TakesTheBaseThatTheGbufferRasterised) {
       }
     }
   }
+}
+
+TEST_P(PyramidTest, StandsWhereTheBaseIsIfThatIsAnAtlasOfItsLevels) {
+  FrameImages images(*device_, {33, 17});
+  ASSERT_TRUE(
+      images.getSized({.name = "dist_range", .format = Format::kRg32f, .size = atlasSize({33, 17}, 4)}));
+  EXPECT_EQ(pyramidImage(PyramidLayout::kAtlas, 4, "dist_view", images), "dist_range");
+  EXPECT_EQ(pyramidImage(PyramidLayout::kAtlas, 3, "dist_view", images), "pyramid_atlas");
+  EXPECT_EQ(pyramidImage(PyramidLayout::kAtlas, 4, "dist_unpacked", images), "pyramid_atlas");
+  EXPECT_EQ(pyramidImage(PyramidLayout::kMips, 4, "dist_view", images), "pyramid");
 }
 
 TEST_P(PyramidTest, TakesNoRasterisedBaseForAnotherDepth) {
