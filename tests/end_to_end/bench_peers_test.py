@@ -53,7 +53,7 @@ class Peers(PeerTest):
     def test_a_march_through_the_mips_of_its_depth_is_right_in_fewer_lookups(self):
         for device in kit.DEVICES:
             answers = self.answers(self.peer("cell_march"), device=device)
-            self.assertGreater(same(answers["cell_march"]), 0.99, answers["cell_march"])
+            self.assertGreater(same(answers["cell_march"]), 0.999, answers["cell_march"])
             self.assertLess(answers["cell_march"]["lookups"]["mean"], 0.5 * answers["walk"]["lookups"]["mean"])
             passes = {series["pass"] for series in self.report()["series"] if series["stage"] == "cell_march"}
             self.assertIn("peer_mips", passes)
@@ -61,7 +61,7 @@ class Peers(PeerTest):
     def test_mips_of_the_wrong_kind_or_none_are_seen(self):
         for change in (('"nearest"', '"farthest"'), ('mips = "nearest"\n', "")):
             answers = self.answers(self.peer("cell_march", *change))
-            self.assertLess(same(answers["cell_march"]), 0.95, change)
+            self.assertLess(same(answers["cell_march"]), 0.7, change)
 
     def test_a_thickness_of_the_wrong_sign_is_seen(self):
         for name, sign in (("texel_march", ("surface + thickness", "surface - thickness")),

@@ -1,5 +1,6 @@
 // The mips of a peer's depth against the texels below them, whichever way the peer finds its cell.
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include "pass_test.h"
@@ -23,16 +24,12 @@ Image depths(Size size) {
       size, [&](int, int) { return std::array<double, 4>{depth(random)}; }, 1);
 }
 
-float texel(const Image& image, int x, int y) {
-  return image.data[static_cast<std::size_t>(y) * image.size.width + x];
-}
-
 // The least over the texels [x, x_end) by [y, y_end).
 float leastOf(const Image& image, int x, int y, int x_end, int y_end) {
   float least = 1.0F;
   for (int row = y; row < y_end; ++row) {
     for (int column = x; column < x_end; ++column) {
-      least = std::min(least, texel(image, column, row));
+      least = std::min(least, image.at(column, row));
     }
   }
   return least;
@@ -47,11 +44,11 @@ TEST_P(PeerMipsTest, AreTheLeastOfTheTexelsBelowAtPowersOfTwo) {
     const Image& mip = mips[level];
     for (int y = 0; y < mip.size.height; ++y) {
       for (int x = 0; x < mip.size.width; ++x) {
-        EXPECT_EQ(texel(mip, x, y), leastOf(base, x * side, y * side, (x + 1) * side, (y + 1) * side));
+        EXPECT_EQ(mip.at(x, y), leastOf(base, x * side, y * side, (x + 1) * side, (y + 1) * side));
       }
     }
   }
-  EXPECT_EQ(texel(mips[4], 0, 0), leastOf(base, 0, 0, 16, 8));
+  EXPECT_EQ(mips[4].at(0, 0), leastOf(base, 0, 0, 16, 8));
 }
 
 TEST_P(PeerMipsTest, LeaveNothingOutAtOddSizesWhicheverWayACellIsFound) {
@@ -62,11 +59,10 @@ TEST_P(PeerMipsTest, LeaveNothingOutAtOddSizesWhicheverWayACellIsFound) {
       const auto [width, height] = mips[level].size;
       for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-          const float depth = texel(base, x, y);
-          EXPECT_LE(texel(mips[level], std::min(x >> level, width - 1), std::min(y >> level, height - 1)),
-                    depth);
-          EXPECT_LE(texel(mips[level], (2 * x + 1) * width / (2 * size.width),
-                          (2 * y + 1) * height / (2 * size.height)),
+          const float depth = base.at(x, y);
+          EXPECT_LE(mips[level].at(std::min(x >> level, width - 1), std::min(y >> level, height - 1)), depth);
+          EXPECT_LE(mips[level].at((2 * x + 1) * width / (2 * size.width),
+                                   (2 * y + 1) * height / (2 * size.height)),
                     depth);
         }
       }
@@ -76,8 +72,8 @@ TEST_P(PeerMipsTest, LeaveNothingOutAtOddSizesWhicheverWayACellIsFound) {
         for (int x = 0; x < width; ++x) {
           const int left = x << level;
           const int top = y << level;
-          EXPECT_GE(texel(mips[level], x, y), leastOf(base, left, top, std::min(left + side, size.width),
-                                                      std::min(top + side, size.height)));
+          EXPECT_GE(mips[level].at(x, y), leastOf(base, left, top, std::min(left + side, size.width),
+                                                  std::min(top + side, size.height)));
         }
       }
     }
